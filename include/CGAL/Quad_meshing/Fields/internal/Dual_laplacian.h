@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_DUAL_LAPLACIAN_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_DUAL_LAPLACIAN_H
+
+#include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// A sparse vector with ascending indices.
+struct Sparse_vector
+{
+  std::vector<int> index;
+  std::vector<double> value;
+};
+
+// The angles of a field for given period jumps, and what a change of jumps costs, from one
+// factorization.
+//
+// With B the matrix that takes the angles of the free faces to differences across inner edges, and c
+// what the jumps, the frames and the given angles contribute, the residual is r = c + B angle. The
+// best angles solve A angle = -B'c with A = B'B, a graph Laplacian of the free faces. Changing the
+// jump of edge e by d changes the energy by exactly
+//   (pi/2)^2 P_ee + pi d r_e,   P = I - B A^-1 B',
+// and the residuals by d pi/2 times the column e of P. With the Cholesky factor A = L L' the entries
+// are P_ef = [e = f] - <y_e, y_f>, y_e = L^-1 B'_e, and y_e is sparse: it lives on the paths of
+// two faces to the root of the elimination tree. So single entries of P cost microseconds.
+class Dual_laplacian
+{
+public:
+  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> Permutation;
+
+  explicit Dual_laplacian(const Field_problem& problem)
+    : m_problem(problem)
+  {
+    m_row.assign(problem.mesh.number_of_faces(), -1);
+    int n = 0;
+    for(int f = 0; f < problem.mesh.number_of_faces(); ++f)
+      if(!problem.constrained[f])
+        m_row[f] = n++;
+
+    std::vector<Eigen::Triplet<double> > entries;
+    for(int e = 0; e < problem.mesh.number_of_edges(); ++e)
+      if(problem.is_inner(e))
+      {
+        const int i = m_row[problem.first_face(e)], j = m_row[problem.second_face(e)];
+        if(i != -1) entries.emplace_back(i, i, 1.);
+        if(j != -1) entries.emplace_back(j, j, 1.);
+        if(i != -1 && j != -1)
+        {
+          entries.emplace_back(i, j, -1.);
+          entries.emplace_back(j, i, -1.);
+        }
+      }
+    // A component in which nothing is given may be turned as a whole. The unit weight that holds one
+    // of its angles at zero does not change any residual, since it can be met exactly.
+    for(int f : problem.anchor)
+      if(f != -1)
+        entries.emplace_back(m_row[f], m_row[f], 1.);
+
+    Matrix a(n, n);
+    a.setFromTriplets(entries.begin(), entries.end());
+    Permutation inverse;
+    Eigen::AMDOrdering<int>()(a, inverse);
+    m_permutation = inverse.inverse();
+    Matrix permuted(n, n);
+    permuted.selfadjointView<Eigen::Lower>() = a.selfadjointView<Eigen::Lower>().twistedBy(m_permutation);
+    m_cholesky.compute(permuted);
+    m_work.assign(n, 0.);
+  }
+
+  bool is_valid() const { return m_row.empty() || m_cholesky.info() == Eigen::Success; }
+  int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
+
+  // Per face, its unknown, or -1 if its angle is given.
+  const std::vector<int>& rows() const { return m_row; }
+  // The fill-reducing order: unknown i becomes row `permutation().indices()[i]` of the factor.
+  const Permutation& permutation() const { return m_permutation; }
+
+  // Sets the angles of all faces to the best ones for the period jumps of the field.
+  void solve_angles(Cross_field& field) const
+  {
+    const int n = number_of_unknowns();
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n);
+    for(std::size_t f = 0; f < m_row.size(); ++f)
+      field.angle[f] = m_row[f] == -1 ? m_problem.given_angle[f] : 0.;
+    for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
+      if(m_problem.is_inner(e))
+      {
+        const double c = m_problem.residual(e, field);
+        const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
+        if(i != -1) rhs[i] -= c;
+        if(j != -1) rhs[j] += c;
+      }
+    if(n == 0)
+      return;
+    rhs = m_permutation * rhs;
+    rhs = m_cholesky.solve(rhs).eval();
+    rhs = m_permutation.inverse() * rhs;
+    for(std::size_t f = 0; f < m_row.size(); ++f)
+      if(m_row[f] != -1)
+        field.angle[f] = rhs[m_row[f]];
+  }
+
+  // The vector y_e.
+  Sparse_vector half_column(int e)
+  {
+    const auto& l = m_cholesky.matrixL().nestedExpression();
+    Sparse_vector y;
+    int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
+    if(i == j) // only if both are -1
+      return y;
+    if(i != -1) { i = m_permutation.indices()[i]; m_work[i] += 1.; }
+    if(j != -1) { j = m_permutation.indices()[j]; m_work[j] -= 1.; }
+
+    // Follows the two paths upwards in ascending order of columns until they join and end.
+    while(i != -1 || j != -1)
+    {
+      const int column = (j == -1 || (i != -1 && i < j)) ? i : j;
+      const int begin = l.outerIndexPtr()[column];
+      const int end = column_end(l, column);
+      const double x = m_work[column] / l.valuePtr()[begin];
+      m_work[column] = 0.;
+      y.index.push_back(column);
+      y.value.push_back(x);
+      for(int p = begin + 1; p < end; ++p)
+        m_work[l.innerIndexPtr()[p]] -= x * l.valuePtr()[p];
+      const int parent = begin + 1 < end ? l.innerIndexPtr()[begin + 1] : -1;
+      if(i == column) i = parent;
+      if(j == column) j = parent;
+    }
+    return y;
+  }
+
+private:
+  template <typename Factor>
+  static int column_end(const Factor& l, int column)
+  {
+    return l.isCompressed() ? l.outerIndexPtr()[column + 1] : l.outerIndexPtr()[column] + l.innerNonZeroPtr()[column];
+  }
+
+  const Field_problem& m_problem;
+  std::vector<int> m_row;
+  Permutation m_permutation;
+  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int> > m_cholesky;
+  std::vector<double> m_work; // zero between calls
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_DUAL_LAPLACIAN_H

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_FIELD_PROBLEM_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_FIELD_PROBLEM_H
+
+#include <CGAL/Quad_meshing/Fields/Face_frames.h>
+#include <CGAL/Quad_meshing/Fields/Field_sectors.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// A cross field: one angle per face, one period jump per edge, oriented as the edge's halfedge.
+struct Cross_field
+{
+  std::vector<double> angle;
+  std::vector<int> period_jump;
+};
+
+// What the smoothest cross field has to respect, in flat arrays.
+//
+// The residual of an inner edge e with the faces i (of `halfedge_of_edge[e]`) and j (across) is
+//   r_e = angle_i + kappa_e + pi/2 jump_e - angle_j,
+// and the energy of a field is the sum of the squared residuals of all inner edges.
+struct Field_problem
+{
+  const Indexed_triangle_mesh& mesh;
+  const Face_frames frames;
+  std::vector<char> aligned;         // per edge: the field follows it
+  std::vector<char> constrained;     // per face: its angle is given
+  std::vector<double> given_angle;   // per face
+  std::vector<int> component;        // per face
+  std::vector<int> anchor;           // per component: a free face of a component without constraint, or -1
+  Field_sectors sectors;
+
+  // How many faces touch two aligned edges in directions that exclude each other.
+  int conflicting_faces = 0;
+
+  explicit Field_problem(const Indexed_triangle_mesh& m)
+    : mesh(m), frames(m)
+    , aligned(m.number_of_edges(), 0)
+    , constrained(m.number_of_faces(), 0)
+    , given_angle(m.number_of_faces(), 0.)
+  {}
+
+  bool is_inner(int e) const { return !mesh.is_border_edge(e); }
+  int first_face(int e) const { return mesh.halfedge_of_edge[e] / 3; }
+  int second_face(int e) const { return mesh.opposite[mesh.halfedge_of_edge[e]] / 3; }
+
+  // An edge whose period jump is a free integer. The jump across an aligned edge is not: both faces
+  // have their angle from it.
+  bool is_movable(int e) const { return is_inner(e) && !aligned[e]; }
+
+  double residual(int e, const Cross_field& field) const
+  {
+    return field.angle[first_face(e)] + frames.kappa(e) + quarter_turn * field.period_jump[e] - field.angle[second_face(e)];
+  }
+
+  double energy(const Cross_field& field) const
+  {
+    double sum = 0;
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+      if(is_inner(e))
+      {
+        const double r = residual(e, field);
+        sum += r * r;
+      }
+    return sum;
+  }
+
+  // The period jump that makes the residual of an edge smallest.
+  int nearest_jump(int e, double angle_i, double angle_j) const
+  {
+    return static_cast<int>(std::lround((angle_j - angle_i - frames.kappa(e)) / quarter_turn));
+  }
+
+  // Turns the crosses of all faces by quarter turns so that all angles lie in [-pi/4, pi/4], and
+  // adapts the period jumps: the same field, its numbers small.
+  void normalize(Cross_field& field) const
+  {
+    std::vector<int> turns(mesh.number_of_faces());
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      turns[f] = static_cast<int>(std::lround(field.angle[f] / quarter_turn));
+      field.angle[f] -= turns[f] * quarter_turn;
+    }
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+      field.period_jump[e] = is_inner(e) ? field.period_jump[e] + turns[first_face(e)] - turns[second_face(e)] : 0;
+  }
+
+  // Gives every face next to an aligned edge the direction of that edge. A face with two of them
+  // follows the one with the larger dihedral angle, that is with the smaller cosine.
+  void constrain_faces_to_aligned_edges()
+  {
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      int best = -1;
+      double smallest_cosine = 3;
+      bool conflict = false;
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        if(!aligned[mesh.edge_of[h]])
+          continue;
+        if(best != -1 && !are_parallel_crosses(frames.direction(h), frames.direction(best)))
+          conflict = true;
+        const double cosine = dihedral_cosine(h);
+        if(best == -1 || cosine < smallest_cosine)
+        {
+          best = h;
+          smallest_cosine = cosine;
+        }
+      }
+      if(best == -1)
+        continue;
+      constrained[f] = 1;
+      given_angle[f] = frames.direction(best);
+      if(conflict)
+        ++conflicting_faces;
+    }
+  }
+
+  // Labels the components and anchors those in which nothing is given.
+  void find_components()
+  {
+    component.assign(mesh.number_of_faces(), -1);
+    anchor.clear();
+    std::vector<int> stack;
+    for(int seed = 0; seed < mesh.number_of_faces(); ++seed)
+    {
+      if(component[seed] != -1)
+        continue;
+      const int id = static_cast<int>(anchor.size());
+      bool anything_given = false;
+      component[seed] = id;
+      stack.push_back(seed);
+      while(!stack.empty())
+      {
+        const int f = stack.back();
+        stack.pop_back();
+        anything_given = anything_given || constrained[f];
+        for(int h = 3 * f; h < 3 * f + 3; ++h)
+          if(mesh.opposite[h] != -1 && component[mesh.opposite[h] / 3] == -1)
+          {
+            component[mesh.opposite[h] / 3] = id;
+            stack.push_back(mesh.opposite[h] / 3);
+          }
+      }
+      anchor.push_back(anything_given ? -1 : seed);
+    }
+  }
+
+private:
+  static bool are_parallel_crosses(double a, double b)
+  {
+    // Angles of one triangle are never this close to a multiple of a right angle by chance only.
+    const double rounding = 1e-9;
+    const double turns = (a - b) / quarter_turn;
+    return std::abs(turns - std::round(turns)) < rounding;
+  }
+
+  // The cosine of the angle between the normals of the faces at halfedge h; 2 if there is none.
+  double dihedral_cosine(int h) const
+  {
+    const int o = mesh.opposite[h];
+    if(o == -1)
+      return -1;
+    const auto n = cross_product(mesh.vector(h), mesh.vector(mesh.next(h)));
+    const auto m = cross_product(mesh.vector(o), mesh.vector(mesh.next(o)));
+    const double l = std::sqrt(n.squared_length() * m.squared_length());
+    return l > 0 ? (n * m) / l : 2;
+  }
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_FIELD_PROBLEM_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_SECTOR_QUADS_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_SECTOR_QUADS_H
+
+#include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The number of quads of every sector, kept up to date while period jumps change, with the rule that
+// a sector between aligned edges must not be empty and with the cost of singularities at places
+// where they hinder the parametrization.
+class Sector_quads
+{
+public:
+  typedef std::vector<int> State;
+
+  // `singularity_cost` is, per vertex, what a singularity there costs in units of the energy.
+  Sector_quads(const Field_problem& problem, const Cross_field& field, const std::vector<double>& singularity_cost)
+    : m_problem(problem)
+    , m_quads(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
+                               [&](int e) { return problem.residual(e, field); }))
+    , m_singularity_cost(singularity_cost)
+  {
+    m_largest_gain = 4 * doublet_cost;
+    for(double c : singularity_cost)
+      m_largest_gain = (std::max)(m_largest_gain, 4 * c + 4 * doublet_cost);
+  }
+
+  const State& state() const { return m_quads; }
+  void set_state(const State& s) { m_quads = s; }
+
+  double cost() const
+  {
+    double sum = 0;
+    for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
+      sum += cost_of(s, m_quads[s]);
+    return sum;
+  }
+
+  // No change of two jumps gains more than this from the cost of sectors.
+  double largest_cost_gain() const { return m_largest_gain; }
+
+  // Whether one of the sectors next to edge e costs anything now.
+  bool is_costly(int e) const
+  {
+    return cost_of(giver(e), m_quads[giver(e)]) > 0 || cost_of(taker(e), m_quads[taker(e)]) > 0;
+  }
+
+  void change_jump(int e, int by)
+  {
+    m_quads[giver(e)] -= by;
+    m_quads[taker(e)] += by;
+  }
+
+  // The change of the cost if a jump is changed; infinite if that empties a sector.
+  double cost_change(int e, int by)
+  {
+    const int s[2] = { giver(e), taker(e) };
+    return change_of(s, 2, [&] { change_jump(e, by); }, [&] { change_jump(e, -by); });
+  }
+
+  double cost_change(int e, int by, int e2, int by2)
+  {
+    const int s[4] = { giver(e), taker(e), giver(e2), taker(e2) };
+    return change_of(s, 4, [&] { change_jump(e, by); change_jump(e2, by2); },
+                           [&] { change_jump(e, -by); change_jump(e2, -by2); });
+  }
+
+  int number_of_empty_sectors() const
+  {
+    int n = 0;
+    for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
+      n += is_empty(s, m_quads[s]);
+    return n;
+  }
+
+  // Gives quads to empty sectors, by changes of jumps along the cheapest paths to sectors that can
+  // spare one. What a path costs is estimated from the residuals alone; a local search that follows
+  // finds better places. Sectors of one face that no jump can reach stay empty.
+  void fill_empty_sectors(Cross_field& field)
+  {
+    for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
+      while(is_empty(s, m_quads[s]) && fetch_quad(s, field))
+      {}
+  }
+
+private:
+  // A vertex with two quads folds them onto each other: more than any singularity is worth.
+  static constexpr double doublet_cost = 2.;
+
+  bool is_empty(int s, int k) const
+  {
+    return (m_problem.sectors.bounded[s] || m_problem.sectors.closed[s]) && k < 1;
+  }
+
+  double cost_of(int s, int k) const
+  {
+    if(!m_problem.sectors.closed[s] || k == 4)
+      return 0;
+    return m_singularity_cost[m_problem.sectors.vertex[s]] + (k < 3 ? doublet_cost * (3 - k) : 0);
+  }
+
+  // A change of the jump of e by one takes a quad here ...
+  int giver(int e) const { return m_problem.sectors.of_corner[m_problem.mesh.halfedge_of_edge[e]]; }
+  // ... and brings it there.
+  int taker(int e) const
+  {
+    return m_problem.sectors.of_corner[Indexed_triangle_mesh::next(m_problem.mesh.halfedge_of_edge[e])];
+  }
+
+  template <typename Do, typename Undo>
+  double change_of(const int* s, int n, const Do& change, const Undo& undo)
+  {
+    double before = 0, after = 0;
+    int deficit_before = 0, deficit_after = 0;
+    auto sum = [&](double& cost, int& deficit)
+    {
+      for(int i = 0; i < n; ++i)
+        if(std::find(s, s + i, s[i]) == s + i)
+        {
+          cost += cost_of(s[i], m_quads[s[i]]);
+          if(is_empty(s[i], m_quads[s[i]]))
+            deficit += 1 - m_quads[s[i]];
+        }
+    };
+    sum(before, deficit_before);
+    change();
+    sum(after, deficit_after);
+    undo();
+    return deficit_after > deficit_before ? std::numeric_limits<double>::infinity() : after - before;
+  }
+
+  bool fetch_quad(int receiver, Cross_field& field)
+  {
+    typedef std::pair<double, int> Entry;
+    const Indexed_triangle_mesh& m = m_problem.mesh;
+    // The self-energy of a jump, see Jump_polish; keeps the lengths of all steps positive.
+    const double self_energy = quarter_turn * quarter_turn / 3;
+    const double shortest_step = 0.01;
+
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+    std::vector<int> from_halfedge(m_problem.sectors.number_of_sectors(), -1);
+    std::vector<double> distance(m_problem.sectors.number_of_sectors(), std::numeric_limits<double>::infinity());
+    distance[receiver] = 0;
+    queue.push(Entry(0., receiver));
+    while(!queue.empty())
+    {
+      const Entry top = queue.top();
+      queue.pop();
+      const int s = top.second;
+      if(top.first > distance[s])
+        continue;
+      if(s != receiver && !is_empty(s, m_quads[s] - 1))
+      {
+        for(int t = s; t != receiver; t = m_problem.sectors.of_corner[from_halfedge[t]])
+        {
+          // The halfedge leaves the sector that receives.
+          const int e = m.edge_of[from_halfedge[t]];
+          const int by = m.halfedge_of_edge[e] == from_halfedge[t] ? -1 : 1;
+          field.period_jump[e] += by;
+          change_jump(e, by);
+        }
+        return true;
+      }
+      const int first = m_problem.sectors.first_corner[s];
+      for(int h = first; h != -1 && m_problem.sectors.of_corner[h] == s;)
+      {
+        const int e = m.edge_of[h];
+        if(m_problem.is_movable(e))
+        {
+          const int by = m.halfedge_of_edge[e] == h ? -1 : 1;
+          const int t = m_problem.sectors.of_corner[m.next(h)];
+          const double step = (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem.residual(e, field));
+          if(top.first + step < distance[t])
+          {
+            distance[t] = top.first + step;
+            from_halfedge[t] = h;
+            queue.push(Entry(distance[t], t));
+          }
+        }
+        h = m.next_around_source(h);
+        if(h == first)
+          break;
+      }
+    }
+    return false;
+  }
+
+  const Field_problem& m_problem;
+  State m_quads;
+  std::vector<double> m_singularity_cost;
+  double m_largest_gain;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_SECTOR_QUADS_H

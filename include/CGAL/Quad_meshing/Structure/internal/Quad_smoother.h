@@ -1,0 +1,512 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
+#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
+
+#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/Structure/internal/Reference_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Reference_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// Smooths a quad mesh on a reference surface, vertex by vertex.
+//
+// Every corner of a quad, with sides a and b and signed area D = (a x b).n of their parallelogram,
+// pays
+//     ( |a|^2 + |b|^2 + w (A + D^2/A) ) / (2 chi(D)),
+// where A is the area it should have (the mean of its neighbourhood). The first part is least for a
+// square corner of any size, the second for D = A. As long as D > 0, chi(D) = D: the energy is
+// infinite before a corner folds. Where a corner is folded, chi is the smooth positive function
+// (D + sqrt(D^2 + eps^2))/2 of Garanzha et al. 2021 (Foldover-free maps in 50 lines of code), which
+// keeps the energy finite and pulls the corner open.
+//
+// A vertex takes one Newton step in its tangent plane, or along its curve, against the energy of
+// the corners that it is a part of, is projected back, and stays there if that really helps and no
+// quad around it comes closer to folding than `guarded_jacobian`. So a quad that is not folded
+// stays so, whatever happens around it.
+class Quad_smoother
+{
+public:
+  typedef Indexed_quad_mesh::Point_3 Point_3;
+  typedef Indexed_quad_mesh::Vector_3 Vector_3;
+
+  // Weight w of the area part against the shape part.
+  static constexpr double area_weight = 0.25;
+  // A step may not take a scaled Jacobian below this, or make one that is below still smaller.
+  static constexpr double guarded_jacobian = 0.2;
+  // A vertex rests when its last step was shorter than this, relative to the sides around it.
+  static constexpr double resting_step = 0.003;
+  // Longest step, relative to the sides around the vertex.
+  static constexpr double longest_step = 0.5;
+  // Number of quads around a folded one whose vertices take part in unfolding it, and of rounds.
+  static constexpr int unfolding_rings = 3, unfolding_rounds = 40;
+
+  enum Vertex_kind : char { fixed, on_surface, on_feature, on_border };
+
+  // `curves` are the references of features and borders.
+  Quad_smoother(Indexed_quad_mesh& mesh, Reference_surface& surface,
+                Reference_curves& features, Reference_curves& borders,
+                const std::vector<char>& is_fixed_vertex)
+    : m(mesh), surface(surface), features(features), borders(borders)
+  {
+    collect_incident_corners();
+    classify(is_fixed_vertex);
+    update_scales();
+    m_normal.resize(m.number_of_faces());
+    m_jacobian.resize(m.number_of_faces());
+    for(int f = 0; f < m.number_of_faces(); ++f)
+      update_face(f);
+  }
+
+  // Puts every free vertex onto its reference where this folds nothing.
+  void project()
+  {
+    m_place.assign(m.number_of_vertices(), -1);
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+    {
+      if(m_kind[v] == fixed)
+        continue;
+      Point_3 p;
+      if(m_kind[v] == on_surface)
+      {
+        const Reference_surface::Location l = surface.locate(m.points[v]);
+        m_place[v] = l.face;
+        p = l.point;
+      }
+      else
+      {
+        Reference_curves& curves = m_kind[v] == on_feature ? features : borders;
+        const Reference_curves::Location l = curves.locate(m.points[v]);
+        m_place[v] = l.segment;
+        p = l.point;
+        // what sits at the end of a curve is the corner there
+        if(l.at_end && squared_distance(p, m.points[v]) <= corner_capture * corner_capture * m_scale[v])
+          m_kind[v] = fixed;
+      }
+      if(is_safe(v, p))
+        move(v, p);
+    }
+  }
+
+  // Finds the surface normals below the quads, and with them the quads that are folded: those with
+  // a corner that is not convex, or opposed to the surface.
+  std::vector<int> folded_quads()
+  {
+    std::vector<int> folded;
+    for(int f = 0; f < m.number_of_faces(); ++f)
+      if(m_jacobian[f] <= 0 || reference_normal(f) * m_normal[f] <= 0)
+        folded.push_back(f);
+    return folded;
+  }
+
+  // Tries to unfold; gives the number of rounds. The mesh is as before if nothing was gained.
+  int unfold(std::vector<int> folded)
+  {
+    const std::vector<Point_3> saved_points = m.points;
+    const std::vector<int> saved_place = m_place;
+    const std::size_t before = folded.size();
+    std::size_t best = before;
+    std::vector<Point_3> best_points;
+    std::vector<int> best_place;
+
+    int round = 0;
+    for(; round < unfolding_rounds && !folded.empty(); ++round)
+    {
+      std::vector<int> region_faces, region_vertices;
+      grow(folded, region_faces, region_vertices);
+      for(int f : region_faces)
+        m_normal[f] = reference_normal(f);
+      for(int v : region_vertices)
+        improve(v, false);
+      for(int f : region_faces)
+        update_face(f);
+      folded = folded_quads();
+      if(folded.size() < best)
+      {
+        best = folded.size();
+        best_points = m.points;
+        best_place = m_place;
+      }
+    }
+    m.points = best < before ? best_points : saved_points;
+    m_place = best < before ? best_place : saved_place;
+    for(int f = 0; f < m.number_of_faces(); ++f)
+      update_face(f);
+    return round;
+  }
+
+  void start_sweeps() { m_active.assign(m.number_of_vertices(), 1); }
+
+  // One sweep over the vertices that do not rest; false if all do.
+  bool sweep()
+  {
+    update_scales();
+    bool any = false;
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+    {
+      if(m_kind[v] == fixed || !m_active[v])
+        continue;
+      const double step = improve(v, true);
+      m_active[v] = 0;
+      if(step * step <= resting_step * resting_step * m_scale[v])
+        continue;
+      any = true;
+      for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+        for(int w : m.corners[m_corner[i] / 4])
+          m_active[w] = 1;
+    }
+    return any;
+  }
+
+private:
+  // A curve vertex that lies this close to a corner of the reference, relative to the sides around
+  // it, is that corner.
+  static constexpr double corner_capture = 0.02;
+
+  void collect_incident_corners()
+  {
+    m_first.assign(m.number_of_vertices() + 1, 0);
+    for(const std::array<int, 4>& c : m.corners)
+      for(int v : c)
+        ++m_first[v + 1];
+    for(std::size_t i = 1; i < m_first.size(); ++i)
+      m_first[i] += m_first[i - 1];
+    m_corner.resize(m.number_of_halfedges());
+    std::vector<int> fill(m_first.begin(), m_first.end() - 1);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      m_corner[fill[m.source(h)]++] = h;
+  }
+
+  void classify(const std::vector<char>& is_fixed_vertex)
+  {
+    std::vector<int> feature_degree(m.number_of_vertices(), 0), border_degree(m.number_of_vertices(), 0);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      if(m.edge(h) == h && (m.is_feature[h] || m.is_border(h)))
+        for(int v : { m.source(h), m.target(h) })
+          ++(m.is_border(h) ? border_degree : feature_degree)[v];
+
+    m_kind.assign(m.number_of_vertices(), on_surface);
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+      if(is_fixed_vertex[v] || m_first[v] == m_first[v + 1])
+        m_kind[v] = fixed;
+      else if(feature_degree[v] + border_degree[v] != 0)
+        m_kind[v] = border_degree[v] == 2 && feature_degree[v] == 0 && !borders.empty() ? on_border
+                  : feature_degree[v] == 2 && border_degree[v] == 0 && !features.empty() ? on_feature
+                  : fixed;
+  }
+
+  // The mean squared side around a vertex, and from there around a quad: the area its corners aim at.
+  void update_scales()
+  {
+    m_scale.assign(m.number_of_vertices(), 0);
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+    {
+      for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+      {
+        const std::array<int, 4>& c = m.corners[m_corner[i] / 4];
+        for(int k = 0; k < 4; ++k)
+          m_scale[v] += squared_distance(m.points[c[k]], m.points[c[(k + 1) % 4]]) / 4;
+      }
+      if(m_first[v] < m_first[v + 1])
+        m_scale[v] /= m_first[v + 1] - m_first[v];
+    }
+    m_area.resize(m.number_of_faces());
+    for(int f = 0; f < m.number_of_faces(); ++f)
+    {
+      m_area[f] = 0;
+      for(int v : m.corners[f])
+        m_area[f] += m_scale[v] / 4;
+      // a mesh that has collapsed here altogether
+      m_area[f] = (std::max)(m_area[f], (std::numeric_limits<double>::min)());
+    }
+  }
+
+  void update_face(int f)
+  {
+    const std::array<int, 4>& c = m.corners[f];
+    m_jacobian[f] = minimal_scaled_jacobian(m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]],
+                                            m_normal[f]);
+  }
+
+  void move(int v, const Point_3& p)
+  {
+    m.points[v] = p;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+      update_face(m_corner[i] / 4);
+  }
+
+  // Whether no quad around v would come too close to folding if v were at p.
+  bool is_safe(int v, const Point_3& p) const
+  {
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+    {
+      const int h = m_corner[i], f = h / 4;
+      const std::array<int, 4>& c = m.corners[f];
+      Vector_3 normal;
+      const double jacobian = minimal_scaled_jacobian(p, m.points[c[(h + 1) & 3]], m.points[c[(h + 2) & 3]],
+                                                      m.points[c[(h + 3) & 3]], normal);
+      if(jacobian < (std::min)(m_jacobian[f], guarded_jacobian) || (m_jacobian[f] > 0 && normal * m_normal[f] <= 0))
+        return false;
+    }
+    return true;
+  }
+
+  // The surface normal below the middle of a quad, found from one of its vertices on the surface.
+  Vector_3 reference_normal(int f)
+  {
+    const std::array<int, 4>& c = m.corners[f];
+    Vector_3 sum(0, 0, 0), normals(0, 0, 0);
+    int place = -1;
+    for(int v : c)
+    {
+      sum = sum + (m.points[v] - ORIGIN) / 4;
+      if(m_kind[v] == on_surface && m_place[v] != -1)
+      {
+        place = m_place[v];
+        normals = normals + surface.normal(place);
+      }
+    }
+    const Point_3 middle = ORIGIN + sum;
+    place = place == -1 ? surface.locate(middle).face : surface.walk(middle, place).face;
+    return unit_or_zero(normals + surface.normal(place));
+  }
+
+  // The faces around the given ones, and the vertices of these faces.
+  void grow(const std::vector<int>& seeds, std::vector<int>& region_faces, std::vector<int>& region_vertices) const
+  {
+    std::vector<char> has_face(m.number_of_faces(), 0), has_vertex(m.number_of_vertices(), 0);
+    region_faces = seeds;
+    for(int f : seeds)
+      has_face[f] = 1;
+    for(std::size_t i = 0, end = region_faces.size(), ring = 0; ring <= unfolding_rings; ++ring, end = region_faces.size())
+      for(; i < end; ++i)
+        for(int v : m.corners[region_faces[i]])
+        {
+          if(has_vertex[v])
+            continue;
+          has_vertex[v] = 1;
+          region_vertices.push_back(v);
+          for(int j = m_first[v]; j < m_first[v + 1]; ++j)
+            if(!has_face[m_corner[j] / 4])
+            {
+              has_face[m_corner[j] / 4] = 1;
+              region_faces.push_back(m_corner[j] / 4);
+            }
+        }
+    std::sort(region_faces.begin(), region_faces.end());
+    std::sort(region_vertices.begin(), region_vertices.end());
+  }
+
+  // One corner of a quad as a function of the position of one of its vertices: the squared lengths
+  // of its sides and its signed area, which is linear in the position.
+  struct Corner_term
+  {
+    double lengths, area;
+    Vector_3 lengths_gradient, area_gradient;
+    double lengths_curvature;
+  };
+
+  // The three corners that move with the source of h.
+  void corner_terms(int h, const Point_3& p, std::array<Corner_term, 3>& terms) const
+  {
+    const std::array<int, 4>& c = m.corners[h / 4];
+    const Vector_3& n = m_normal[h / 4];
+    const Point_3 &p1 = m.points[c[(h + 1) & 3]], &p2 = m.points[c[(h + 2) & 3]], &p3 = m.points[c[(h + 3) & 3]];
+    const Vector_3 a = p1 - p, b = p3 - p, s = p2 - p1, t = p2 - p3;
+    const double aa = a * a, bb = b * b;
+    terms[0] = Corner_term{ aa + bb, cross_product(a, b) * n, -2 * (a + b), cross_product(n, p3 - p1), 4 };
+    terms[1] = Corner_term{ aa + s * s, cross_product(a, s) * n, -2 * a, cross_product(n, s), 2 };
+    terms[2] = Corner_term{ bb + t * t, cross_product(t, b) * n, -2 * b, cross_product(t, n), 2 };
+  }
+
+  static double corner_energy(double lengths, double area, double aim, double epsilon)
+  {
+    const double root = std::sqrt(area * area + epsilon * epsilon);
+    // area + root without cancellation
+    const double twice_chi = area > 0 ? area + root : epsilon * epsilon / (root - area);
+    return (lengths + area_weight * (aim + area * area / aim)) / twice_chi;
+  }
+
+  // The energy at p of all corners that move with v; infinite if one folds that may not (epsilon 0).
+  double energy(int v, const Point_3& p, double epsilon) const
+  {
+    double sum = 0;
+    std::array<Corner_term, 3> terms;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+    {
+      corner_terms(m_corner[i], p, terms);
+      const double aim = m_area[m_corner[i] / 4];
+      for(const Corner_term& t : terms)
+      {
+        if(epsilon == 0 && t.area <= 0)
+          return std::numeric_limits<double>::infinity();
+        sum += corner_energy(t.lengths, t.area, aim, epsilon);
+      }
+    }
+    return sum;
+  }
+
+  // Moves v to a better place, if the step downhill leads to one, and gives the length of the step.
+  double improve(int v, bool guarded)
+  {
+    if(m_kind[v] == fixed)
+      return 0;
+    const Point_3 p = m.points[v];
+
+    // an orthonormal frame of the directions in which v may go
+    Vector_3 normal(0, 0, 0), u, w;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+      normal = normal + m_normal[m_corner[i] / 4];
+    if(m_kind[v] == on_surface)
+    {
+      normal = unit_or_zero(normal);
+      if(normal == NULL_VECTOR)
+        normal = surface.normal(m_place[v]);
+      u = CGAL::abs(normal.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
+      u = unit_or_zero(u - (u * normal) * normal);
+      w = cross_product(normal, u);
+    }
+    else
+      u = (m_kind[v] == on_feature ? features : borders).direction(m_place[v]);
+
+    // the smallest corner area decides whether, and how much, the energy must be regularized
+    double smallest = std::numeric_limits<double>::infinity(), aim_sum = 0;
+    std::array<Corner_term, 3> terms;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+    {
+      corner_terms(m_corner[i], p, terms);
+      aim_sum += m_area[m_corner[i] / 4];
+      for(const Corner_term& t : terms)
+        smallest = (std::min)(smallest, t.area);
+    }
+    const double mean_aim = aim_sum / (m_first[v + 1] - m_first[v]);
+    const double epsilon = smallest > 0 ? 0 : std::sqrt(least_epsilon * least_epsilon * mean_aim * mean_aim
+                                                        + epsilon_slope * smallest * smallest);
+
+    double value = 0, gu = 0, gw = 0, huu = 0, huw = 0, hww = 0;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+    {
+      corner_terms(m_corner[i], p, terms);
+      const double aim = m_area[m_corner[i] / 4];
+      for(const Corner_term& t : terms)
+      {
+        const double root = std::sqrt(t.area * t.area + epsilon * epsilon);
+        const double chi = (t.area > 0 ? t.area + root : epsilon * epsilon / (root - t.area)) / 2;
+        const double chi1 = chi / root, chi2 = epsilon * epsilon / (2 * root * root * root);
+        const double top = t.lengths + area_weight * (aim + t.area * t.area / aim);
+        const double du = t.area_gradient * u, dw = t.area_gradient * w;
+        const double slope = 2 * area_weight * t.area / aim;
+        const double nu = t.lengths_gradient * u + slope * du, nw = t.lengths_gradient * w + slope * dw;
+        const double c1 = 1 / (2 * chi), c2 = chi1 / (2 * chi * chi);
+        const double c3 = top * (chi1 * chi1 / (chi * chi * chi) - chi2 / (2 * chi * chi)) + area_weight / (aim * chi);
+        value += top * c1;
+        gu += nu * c1 - top * c2 * du;
+        gw += nw * c1 - top * c2 * dw;
+        huu += t.lengths_curvature * c1 - 2 * c2 * nu * du + c3 * du * du;
+        huw += -c2 * (nu * dw + nw * du) + c3 * du * dw;
+        hww += t.lengths_curvature * c1 - 2 * c2 * nw * dw + c3 * dw * dw;
+      }
+    }
+
+    Vector_3 step;
+    if(m_kind[v] == on_surface)
+    {
+      // Newton's direction with the absolute values of the eigenvalues
+      const double mean = (huu + hww) / 2, half = (huu - hww) / 2;
+      const double radius = std::sqrt(half * half + huw * huw);
+      const double floor = least_curvature * (CGAL::abs(mean) + radius);
+      const double e1 = (std::max)(CGAL::abs(mean + radius), floor), e2 = (std::max)(CGAL::abs(mean - radius), floor);
+      if(!(floor > 0))
+        return 0;
+      double c = 1, s = 0;                     // unit eigenvector of mean + radius
+      if(radius > 0)
+      {
+        const double angle = std::atan2(huw, half) / 2;
+        c = std::cos(angle);
+        s = std::sin(angle);
+      }
+      const double x = -(c * gu + s * gw) / e1, y = -(c * gw - s * gu) / e2;
+      step = (c * x - s * y) * u + (s * x + c * y) * w;
+    }
+    else
+    {
+      if(huu == 0)
+        return 0;
+      step = (-gu / CGAL::abs(huu)) * u;
+    }
+    const double length = std::sqrt(step.squared_length()), longest = longest_step * std::sqrt(mean_aim);
+    if(!(length > 0))
+      return 0;
+    if(length > longest)
+      step = (longest / length) * step;
+
+    double factor = 1;
+    for(int trial = 0; trial < 4; ++trial, factor /= 3)
+    {
+      int place;
+      Point_3 q;
+      if(m_kind[v] == on_surface)
+      {
+        const Reference_surface::Location l = surface.walk(p + factor * step, m_place[v]);
+        place = l.face;
+        q = l.point;
+      }
+      else
+      {
+        const Reference_curves::Location l =
+          (m_kind[v] == on_feature ? features : borders).walk(p + factor * step, m_place[v]);
+        place = l.segment;
+        q = l.point;
+      }
+      if(!(energy(v, q, epsilon) < value) || (guarded && !is_safe(v, q)))
+        continue;
+      m_place[v] = place;
+      if(guarded)
+        move(v, q);
+      else
+        m.points[v] = q;
+      return std::sqrt(squared_distance(p, q));
+    }
+    return 0;
+  }
+
+  // Regularization of folded corners: a part of the area aimed at, and of the largest fold.
+  static constexpr double least_epsilon = 1e-3, epsilon_slope = 0.04;
+  // Smallest eigenvalue of a Hessian, relative to the largest, that a step divides by.
+  static constexpr double least_curvature = 1e-3;
+
+  Indexed_quad_mesh& m;
+  Reference_surface& surface;
+  Reference_curves& features;
+  Reference_curves& borders;
+
+  std::vector<int> m_first, m_corner;     // per vertex: the halfedges that leave it, border or not
+  std::vector<Vertex_kind> m_kind;        // per vertex
+  std::vector<int> m_place;               // per vertex: the face, or curve segment, it lies on
+  std::vector<double> m_scale;            // per vertex: mean squared side around it
+  std::vector<double> m_area;             // per face: the area its corners aim at
+  std::vector<Vector_3> m_normal;         // per face: unit; of the quad, or of the surface while unfolding
+  std::vector<double> m_jacobian;         // per face: minimal scaled Jacobian
+  std::vector<char> m_active;             // per vertex: takes part in the next sweep
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_PARAMETERS_H
+#define CGAL_QUAD_MESHING_PARAMETERS_H
+
+// The named parameters of the package, in one list: one line each, `tag type, tag, name`.
+//
+// CGAL offers no extension point for the parameters of other packages (a chain of CGAL's own
+// parameters only knows CGAL's names), so the chain of this package starts with one of the
+// names below and carries a link type of its own; from there on CGAL's names and ours can follow
+// in any order: `parameters::target_edge_length(0.1).vertex_point_map(vpm).align_boundary(true)`.
+
+#include <CGAL/Named_function_parameters.h>
+
+#define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                          \
+  CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
+  CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
+  CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
+  CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
+  CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
+  CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
+  CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
+  CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \
+  CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
+
+namespace CGAL {
+namespace internal_np {
+
+#define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+CGAL_QUAD_MESHING_NAMED_PARAMETERS
+#undef CGAL_add_named_parameter
+
+// One link of a chain that started with a parameter of this package.
+template <typename T, typename Tag, typename Base>
+struct Quad_meshing_np_link
+  : Named_params_impl<T, Tag, Base>
+{
+  typedef Named_params_impl<T, Tag, Base> base;
+
+  Quad_meshing_np_link(const T& v) : base(v) {}
+
+  template <typename B>
+  Quad_meshing_np_link(const T& v, const B& b) : base(v, b) {}
+};
+
+typedef Quad_meshing_np_link<bool, all_default_t, No_property> Quad_meshing_np_root;
+
+} // namespace internal_np
+
+template <typename T, typename Tag, typename T2, typename Tag2, typename B2>
+struct Named_function_parameters<T, Tag, internal_np::Quad_meshing_np_link<T2, Tag2, B2> >
+  : internal_np::Named_params_impl<T, Tag, internal_np::Quad_meshing_np_link<T2, Tag2, B2> >
+{
+  typedef internal_np::Quad_meshing_np_link<T2, Tag2, B2> Base;
+  typedef internal_np::Named_params_impl<T, Tag, Base> base;
+  typedef internal_np::Quad_meshing_np_link<T, Tag, Base> link;
+
+  // CGAL 6 recognizes a pack of parameters by this type.
+  typedef int CGAL_Named_function_parameters_class;
+
+  Named_function_parameters(const T& v, const Base& b) : base(v, b) {}
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                           \
+  template <typename K>                                                                             \
+  Named_function_parameters<K, internal_np::X, link> Z(const K& k) const                            \
+  {                                                                                                 \
+    return Named_function_parameters<K, internal_np::X, link>(                                      \
+      k, link(this->v, static_cast<const Base&>(*this)));                                           \
+  }
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+CGAL_QUAD_MESHING_NAMED_PARAMETERS
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_extra_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+};
+
+namespace parameters {
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                           \
+  template <typename K>                                                                             \
+  Named_function_parameters<K, internal_np::X, internal_np::Quad_meshing_np_root> Z(const K& k)     \
+  {                                                                                                 \
+    return Named_function_parameters<K, internal_np::X, internal_np::Quad_meshing_np_root>(         \
+      k, internal_np::Quad_meshing_np_root(true));                                                  \
+  }
+CGAL_QUAD_MESHING_NAMED_PARAMETERS
+#undef CGAL_add_named_parameter
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_PARAMETERS_H
