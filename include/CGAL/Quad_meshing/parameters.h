@@ -23,6 +23,17 @@
   CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
+  CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \
+  CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)            \
+  CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)\
+  CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations, conjugate_gradient_iterations)\
+  CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding, simultaneous_rounding)   \
+  CGAL_add_named_parameter(maximum_dense_integers_t, maximum_dense_integers, maximum_dense_integers)\
+  CGAL_add_named_parameter(maximum_number_of_nodes_t, maximum_number_of_nodes, maximum_number_of_nodes)\
+  CGAL_add_named_parameter(relative_gap_tolerance_t, relative_gap_tolerance, relative_gap_tolerance)\
+  CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \
+  CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule)                        \
+  CGAL_add_named_parameter(cross_field_method_t, cross_field_method, cross_field_method)            \
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
   CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \

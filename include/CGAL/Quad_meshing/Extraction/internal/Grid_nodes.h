@@ -104,9 +104,11 @@ public:
     return -1;
   }
 
-  // Pairs the rays of a cyclic (or, at a border, linear) sequence of signs that undo each other; those left have one sign.
+  // Pairs the members of a sequence of signs that undo each other. Those left over, in `left`, have
+  // one sign. In a cyclic sequence it does not matter where one starts: what is paired is always
+  // what has nothing unpaired in between.
   template <typename SignOf, typename Pair>
-  static void pair_opposite_signs(int n, bool cyclic, const SignOf& sign, const Pair& pair, std::vector<int>& left)
+  static void pair_opposite_signs(int n, const SignOf& sign, const Pair& pair, std::vector<int>& left)
   {
     left.clear();
     for(int i = 0; i < n; ++i)
@@ -119,7 +121,6 @@ public:
       else
         left.push_back(i);
     }
-    (void)cyclic;
   }
 
 private:
@@ -319,7 +320,7 @@ private:
     for(int i : folded)
     {
       const int r0 = first_ray[i];
-      pair_opposite_signs(first_ray[i + 1] - r0, !on_border[i],
+      pair_opposite_signs(first_ray[i + 1] - r0,
                           [&](int k) { return ray_sign[r0 + k]; },
                           [&](int k, int l) { mate[r0 + k] = r0 + l; mate[r0 + l] = r0 + k; }, left);
     }

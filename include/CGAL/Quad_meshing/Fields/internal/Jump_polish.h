@@ -74,9 +74,9 @@ private:
 
   struct Candidate
   {
-    int edge;
-    double residual;
-    double self;                                  // P_ee
+    int edge = -1;
+    double residual = 0;
+    double self = 1;                              // P_ee
     std::vector<std::pair<int, double> > others;  // candidates around and the entries of P
   };
 
@@ -95,9 +95,8 @@ private:
          (std::abs(m_problem.residual(e, field)) > smallest_residual || m_quads.is_costly(e)))
       {
         m_candidate_of_edge[e] = static_cast<int>(m_candidates.size());
-        Candidate c;
-        c.edge = e;
-        m_candidates.push_back(c);
+        m_candidates.emplace_back();
+        m_candidates.back().edge = e;
         m_half_column.push_back(m_laplacian.half_column(e));
       }
     for(Candidate& c : m_candidates)
@@ -193,7 +192,7 @@ private:
       for(int by : { -1, 1 })
       {
         const Change a = { i, by };
-        const double gain = -energy_change(a) - m_quads.cost_change(m_candidates[i].edge, by);
+        const double gain = -single_change(a);
         if(gain > smallest_gain)
           moves.emplace_back(gain, a);
       }
@@ -201,10 +200,9 @@ private:
     bool any = false;
     for(const auto& move : moves)
     {
-      const Change& a = move.second;
-      if(energy_change(a) + m_quads.cost_change(m_candidates[a.candidate].edge, a.by) < -smallest_gain)
+      if(single_change(move.second) < -smallest_gain)
       {
-        apply(a, field);
+        apply(move.second, field);
         any = true;
       }
     }
@@ -244,14 +242,21 @@ private:
     return any;
   }
 
+  // Where nothing costs yet, only the energy can gain.
+  double single_change(const Change& a)
+  {
+    const int e = m_candidates[a.candidate].edge;
+    const double change = energy_change(a);
+    return (change < 0 || m_quads.is_costly(e)) ? change + m_quads.cost_change(e, a.by) : change;
+  }
+
   double pair_change(const std::pair<Change, Change>& p, double entry)
   {
+    const int e = m_candidates[p.first.candidate].edge, e2 = m_candidates[p.second.candidate].edge;
     const double change = energy_change(p.first) + energy_change(p.second)
                         + 2 * quarter_turn * quarter_turn * entry * p.first.by * p.second.by;
-    if(!(change < m_quads.largest_cost_gain()))
-      return change;
-    const int e = m_candidates[p.first.candidate].edge;
-    return change + m_quads.cost_change(e, p.first.by, m_candidates[p.second.candidate].edge, p.second.by);
+    return (change < 0 || m_quads.is_costly(e) || m_quads.is_costly(e2))
+         ? change + m_quads.cost_change(e, p.first.by, e2, p.second.by) : change;
   }
 
   // Largest gain first, ties in the order of the candidates.

@@ -36,11 +36,7 @@ public:
     , m_quads(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
                                [&](int e) { return problem.residual(e, field); }))
     , m_singularity_cost(singularity_cost)
-  {
-    m_largest_gain = 4 * doublet_cost;
-    for(double c : singularity_cost)
-      m_largest_gain = (std::max)(m_largest_gain, 4 * c + 4 * doublet_cost);
-  }
+  {}
 
   const State& state() const { return m_quads; }
   void set_state(const State& s) { m_quads = s; }
@@ -52,9 +48,6 @@ public:
       sum += cost_of(s, m_quads[s]);
     return sum;
   }
-
-  // No change of two jumps gains more than this from the cost of sectors.
-  double largest_cost_gain() const { return m_largest_gain; }
 
   // Whether one of the sectors next to edge e costs anything now.
   bool is_costly(int e) const
@@ -205,7 +198,6 @@ private:
   const Field_problem& m_problem;
   State m_quads;
   std::vector<double> m_singularity_cost;
-  double m_largest_gain;
 };
 
 } // namespace internal

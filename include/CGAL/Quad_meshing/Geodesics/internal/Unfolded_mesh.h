@@ -46,7 +46,7 @@ struct Unfolded_mesh
   // A total angle that exceeds 2 pi (or pi on the border) by no more than this does not make a
   // saddle. A path that bends by such an angle is shorter by a relative 1e-22 when it is
   // straightened, far less than rounding.
-  static double flat_angle_tolerance() { return 1e-11; }
+  static double flat_angle_tolerance() { return 1e-14; }
 
   std::vector<Apex> apex;                 // per halfedge
   std::vector<FT> length;                 // per edge
@@ -56,8 +56,8 @@ struct Unfolded_mesh
 
   Unfolded_mesh() {}
 
-  // `is_exact`: the angles, which are floating point numbers always, must only be trusted to be
-  // wrong by less than 1e-6; a vertex in doubt may bend paths in every direction.
+  // `is_exact`: angles are floating point numbers always; with an exact number type, a vertex whose
+  // angle leaves a doubt is taken to bend paths in every direction, which costs windows but no exactness.
   explicit Unfolded_mesh(Indexed_triangle_mesh base, bool is_exact = false)
     : Indexed_triangle_mesh(std::move(base))
   {
@@ -66,35 +66,51 @@ struct Unfolded_mesh
   }
 
   bool is_canonical(int h) const { return halfedge_of_edge[edge_of[h]] == h; }
-  bool is_border_vertex(int v) const { return halfedge_of_vertex[v] != -1 && opposite[halfedge_of_vertex[v]] == -1; }
 
   FT length_of(int h) const { return length[edge_of[h]]; }
 
-  // The halfedge from which the face of h appears with the vertex of corner k of the face as its apex.
-  static int halfedge_facing(int face, int k) { return 3 * face + (k + 1) % 3; }
+  // The halfedge of v's fan whose face contains the direction `angle`, and the angle within its corner.
+  std::pair<int, double> corner_in_direction(int v, double angle) const
+  {
+    int h = halfedge_of_vertex[v];
+    for(int n = next_around_source(h); n != -1 && n != halfedge_of_vertex[v] && direction[n] <= angle;)
+    {
+      h = n;
+      n = next_around_source(h);
+    }
+    return std::make_pair(h, angle - direction[h]);
+  }
+
+  double corner_angle(int h) const { return std::atan2(to_double(apex[h].y), to_double(apex[h].x)); }
 
 private:
+  struct Difference
+  {
+    FT x, y, z;
+    Difference(const Point_3& p, const Point_3& q)
+      : x(FT(q.x()) - FT(p.x())), y(FT(q.y()) - FT(p.y())), z(FT(q.z()) - FT(p.z())) {}
+    Difference(const FT& x, const FT& y, const FT& z) : x(x), y(y), z(z) {}
+
+    FT dot(const Difference& o) const { return x * o.x + y * o.y + z * o.z; }
+    FT norm() const { return CGAL::sqrt(dot(*this)); }
+    Difference cross(const Difference& o) const
+    {
+      return Difference(y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x);
+    }
+  };
+
   void set_lengths()
   {
     length.resize(number_of_edges());
     for(int e = 0; e < number_of_edges(); ++e)
-    {
-      const Exact_vector d(points[source(halfedge_of_edge[e])], points[target(halfedge_of_edge[e])]);
-      length[e] = CGAL::sqrt(dot(d, d));
-    }
+      length[e] = Difference(points[source(halfedge_of_edge[e])], points[target(halfedge_of_edge[e])]).norm();
 
     apex.resize(number_of_halfedges());
     for(int h = 0; h < number_of_halfedges(); ++h)
     {
       const FT& l = length[edge_of[h]];
-      if(l == FT(0))
-      {
-        apex[h] = Apex{ FT(0), FT(0) };
-        continue;
-      }
-      const Exact_vector u(points[source(h)], points[target(h)]);
-      const Exact_vector w(points[source(h)], points[target(next(h))]);
-      apex[h] = Apex{ dot(u, w) / l, cross_length(u, w) / l };
+      const Difference u(points[source(h)], points[target(h)]), w(points[source(h)], points[target(next(h))]);
+      apex[h] = l == FT(0) ? Apex{ FT(0), FT(0) } : Apex{ u.dot(w) / l, u.cross(w).norm() / l };
     }
   }
 
@@ -117,21 +133,21 @@ private:
       {
         direction[h] = sum;
         has_zero_edge = has_zero_edge || length_of(h) == FT(0) || length_of(prev(h)) == FT(0);
-        const double l = to_double(length_of(h));
-        sum += l == 0 ? 0 : std::atan2(to_double(apex[prev_frame_y(h)].y), 0) * 0 + corner_angle(h);
+        sum += corner_angle(h);
         h = next_around_source(h);
       }
       while(h != -1 && h != first);
       total_angle[v] = sum;
 
       const double straight = h == -1 ? pi : 2 * pi;
-      const double slack = is_exact ? -1e-6 : flat_angle_tolerance();
-      if(has_zero_edge || (is_exact && sum > straight + slack))
+      if(has_zero_edge || (is_exact && sum > straight - doubtful_angle()))
         passage[v] = PASSAGE_EVERYWHERE;
-      else if(sum > straight + slack)
+      else if(sum > straight + flat_angle_tolerance())
         passage[v] = PASSAGE_IN_SHADOW;
     }
   }
+
+  static double doubtful_angle() { return 1e-6; }
 };
 
 } // namespace internal

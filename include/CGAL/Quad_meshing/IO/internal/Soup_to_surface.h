@@ -16,8 +16,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
-#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -91,7 +92,7 @@ class Soup_to_surface
 
   struct Edge { std::size_t low, high, side; };
 
-  static const std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   Polygon_soup& m_soup;
   std::vector<std::size_t> m_first_side; // per polygon
@@ -268,8 +269,8 @@ private:
 
     if(alternates)
     {
-      // Seen along the edge, the outside of an upward sheet lies counterclockwise of it, so the
-      // material lies between it and the downward sheet before it.
+      // Counterclockwise about the edge, what follows an upward sheet is outside; so the material lies
+      // between it and the downward sheet before it.
       for(std::size_t i = 0; i < n; ++i)
         if(sheets[i].upwards)
           join_sides(sheets[i].side, sheets[(i + n - 1) % n].side);

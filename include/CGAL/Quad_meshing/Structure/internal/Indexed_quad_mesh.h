@@ -138,55 +138,62 @@ struct Indexed_quad_mesh
   }
 };
 
-// Copies a pure quad mesh into flat arrays, vertices and faces in the order of the index maps.
-template <typename QuadMesh, typename VertexPointMap, typename VertexIndexMap, typename FaceIndexMap,
-          typename EdgeIsConstrainedMap>
-Indexed_quad_mesh
-make_indexed_quad_mesh(const QuadMesh& qm, VertexPointMap vpm, VertexIndexMap vim, FaceIndexMap fim,
-                       EdgeIsConstrainedMap ecm)
+// The copy of a pure quad mesh in flat arrays, and where its vertices and faces come from.
+template <typename QuadMesh>
+struct Indexed_quad_mesh_copy
+{
+  Indexed_quad_mesh mesh;
+  std::vector<typename boost::graph_traits<QuadMesh>::vertex_descriptor> vertices;
+  std::vector<typename boost::graph_traits<QuadMesh>::face_descriptor> faces;
+};
+
+// Copies a pure quad mesh, vertices and faces in the order in which the graph enumerates them. Corner
+// 0 of a face is the source of `halfedge(f, qm)`.
+template <typename QuadMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
+Indexed_quad_mesh_copy<QuadMesh>
+make_indexed_quad_mesh(const QuadMesh& qm, VertexPointMap vpm, EdgeIsConstrainedMap ecm)
 {
   typedef typename boost::graph_traits<QuadMesh>::halfedge_descriptor halfedge_descriptor;
 
-  Indexed_quad_mesh m;
-  const auto nv = std::distance(vertices(qm).begin(), vertices(qm).end());
-  const auto nf = std::distance(faces(qm).begin(), faces(qm).end());
-  m.points.resize(nv);
+  Indexed_quad_mesh_copy<QuadMesh> copy;
+  Indexed_quad_mesh& m = copy.mesh;
+
+  // the index maps of a mesh that has garbage are not consecutive
+  const auto vim = get(CGAL::dynamic_vertex_property_t<int>(), qm);
+  const auto him = get(CGAL::dynamic_halfedge_property_t<int>(), qm);
   for(auto v : vertices(qm))
   {
     const auto& p = get(vpm, v);
-    m.points[get(vim, v)] = Indexed_quad_mesh::Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+    put(vim, v, static_cast<int>(m.points.size()));
+    m.points.push_back(Indexed_quad_mesh::Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z())));
+    copy.vertices.push_back(v);
   }
-
-  m.corners.resize(nf);
+  for(auto h : halfedges(qm))
+    put(him, h, -1);
   for(auto f : faces(qm))
   {
+    std::array<int, 4> c;
     halfedge_descriptor h = halfedge(f, qm);
     for(int k = 0; k < 4; ++k, h = next(h, qm))
-      m.corners[get(fim, f)][k] = static_cast<int>(get(vim, source(h, qm)));
+    {
+      c[k] = get(vim, source(h, qm));
+      put(him, h, 4 * m.number_of_faces() + k);
+    }
+    m.corners.push_back(c);
+    copy.faces.push_back(f);
   }
 
-  auto index = [&](halfedge_descriptor h) -> int
-  {
-    if(is_border(h, qm))
-      return -1;
-    halfedge_descriptor r = halfedge(face(h, qm), qm);
-    int k = 0;
-    for(; r != h; r = next(r, qm))
-      ++k;
-    return 4 * static_cast<int>(get(fim, face(h, qm))) + k;
-  };
-
-  m.opposite.assign(4 * nf, -1);
-  m.is_feature.assign(4 * nf, 0);
+  m.opposite.assign(4 * m.corners.size(), -1);
+  m.is_feature.assign(4 * m.corners.size(), 0);
   for(auto e : edges(qm))
   {
-    const int h = index(halfedge(e, qm)), o = index(opposite(halfedge(e, qm), qm));
+    const int h = get(him, halfedge(e, qm)), o = get(him, opposite(halfedge(e, qm), qm));
     const char feature = get(ecm, e) ? 1 : 0;
     if(h != -1) { m.opposite[h] = o; m.is_feature[h] = feature; }
     if(o != -1) { m.opposite[o] = h; m.is_feature[o] = feature; }
   }
   m.find_halfedges_of_vertices();
-  return m;
+  return copy;
 }
 
 } // namespace internal

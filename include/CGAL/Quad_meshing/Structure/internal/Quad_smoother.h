@@ -77,6 +77,7 @@ public:
   void project()
   {
     m_place.assign(m.number_of_vertices(), -1);
+    int hint = -1;
     for(int v = 0; v < m.number_of_vertices(); ++v)
     {
       if(m_kind[v] == fixed)
@@ -84,8 +85,14 @@ public:
       Point_3 p;
       if(m_kind[v] == on_surface)
       {
-        const Reference_surface::Location l = surface.locate(m.points[v]);
-        m_place[v] = l.face;
+        for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+        {
+          const int w = m.target(m_corner[i]);
+          if(m_kind[w] == on_surface && m_place[w] != -1)
+            hint = m_place[w];
+        }
+        const Reference_surface::Location l = surface.locate(m.points[v], hint);
+        hint = m_place[v] = l.face;
         p = l.point;
       }
       else
@@ -282,7 +289,7 @@ private:
       }
     }
     const Point_3 middle = ORIGIN + sum;
-    place = place == -1 ? surface.locate(middle).face : surface.walk(middle, place).face;
+    place = place == -1 ? surface.locate(middle, -1).face : surface.walk(middle, place).face;
     return unit_or_zero(normals + surface.normal(place));
   }
 
@@ -369,7 +376,7 @@ private:
     const Point_3 p = m.points[v];
 
     // an orthonormal frame of the directions in which v may go
-    Vector_3 normal(0, 0, 0), u, w;
+    Vector_3 normal(0, 0, 0), u, w(0, 0, 0);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       normal = normal + m_normal[m_corner[i] / 4];
     if(m_kind[v] == on_surface)
@@ -457,32 +464,47 @@ private:
 
     double factor = 1;
     for(int trial = 0; trial < 4; ++trial, factor /= 3)
+      if(try_move(v, p + factor * step, value, epsilon, guarded))
+        return std::sqrt(squared_distance(p, m.points[v]));
+
+    // a vertex between the two sides of a fold, or of a crease: the middle of its neighbours
+    if(!guarded)
     {
-      int place;
-      Point_3 q;
-      if(m_kind[v] == on_surface)
-      {
-        const Reference_surface::Location l = surface.walk(p + factor * step, m_place[v]);
-        place = l.face;
-        q = l.point;
-      }
-      else
-      {
-        const Reference_curves::Location l =
-          (m_kind[v] == on_feature ? features : borders).walk(p + factor * step, m_place[v]);
-        place = l.segment;
-        q = l.point;
-      }
-      if(!(energy(v, q, epsilon) < value) || (guarded && !is_safe(v, q)))
-        continue;
-      m_place[v] = place;
-      if(guarded)
-        move(v, q);
-      else
-        m.points[v] = q;
-      return std::sqrt(squared_distance(p, q));
+      Vector_3 sum(0, 0, 0);
+      for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+        sum = sum + (m.points[m.target(m_corner[i])] - p) + (m.points[m.source(m.prev(m_corner[i]))] - p);
+      if(try_move(v, p + sum / (2 * (m_first[v + 1] - m_first[v])), value, epsilon, guarded))
+        return std::sqrt(squared_distance(p, m.points[v]));
     }
     return 0;
+  }
+
+  // Moves v to the place on its reference that is closest to a point, if its energy falls below
+  // `value` there.
+  bool try_move(int v, const Point_3& p, double value, double epsilon, bool guarded)
+  {
+    int place;
+    Point_3 q;
+    if(m_kind[v] == on_surface)
+    {
+      const Reference_surface::Location l = surface.walk(p, m_place[v]);
+      place = l.face;
+      q = l.point;
+    }
+    else
+    {
+      const Reference_curves::Location l = (m_kind[v] == on_feature ? features : borders).walk(p, m_place[v]);
+      place = l.segment;
+      q = l.point;
+    }
+    if(!(energy(v, q, epsilon) < value) || (guarded && !is_safe(v, q)))
+      return false;
+    m_place[v] = place;
+    if(guarded)
+      move(v, q);
+    else
+      m.points[v] = q;
+    return true;
   }
 
   // Regularization of folded corners: a part of the area aimed at, and of the largest fold.

@@ -16,6 +16,7 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -57,17 +58,28 @@ public:
   const Indexed_triangle_mesh& mesh() const { return m_mesh; }
   const Vector_3& normal(int face) const { return m_normals[face]; }
 
+  // Whether there is nothing to project onto.
+  bool empty() const
+  {
+    return std::all_of(m_normals.begin(), m_normals.end(), [](const Vector_3& n) { return n == NULL_VECTOR; });
+  }
+
   Triangle_3 triangle(int f) const
   {
     const std::array<int, 3>& c = m_mesh.corners[f];
     return Triangle_3(m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]]);
   }
 
-  Location locate(const Point_3& query)
+  // The closest point of all. The search is fast if the walk from `hint`, the place of a point
+  // nearby, ends close to it; -1 if no place is known.
+  Location locate(const Point_3& query, int hint)
   {
     if(m_tree == nullptr)
       build_tree();
-    const auto closest = m_tree->closest_point_and_primitive(query);
+    if(hint == -1)
+      hint = m_first_face;
+    const Location near = walk(query, hint);
+    const auto closest = m_tree->closest_point_and_primitive(query, std::make_pair(near.point, near.face));
     return Location{ closest.second, closest.first };
   }
 
@@ -189,12 +201,16 @@ private:
       if(m_normals[f] != NULL_VECTOR)
         faces.push_back(f);
     m_tree.reset(new Tree(faces.cbegin(), faces.cend(), static_cast<const Reference_surface*>(this)));
+    // the points of a walk are better hints than those of a search tree, and cost nothing to build
+    m_tree->do_not_accelerate_distance_queries();
     m_tree->build();
+    m_first_face = faces.front();
   }
 
   Indexed_triangle_mesh m_mesh;
   std::vector<Vector_3> m_normals;        // per face: unit, zero if it has no area
   std::unique_ptr<Tree> m_tree;           // built at the first call of locate()
+  int m_first_face = -1;                  // a face that has area
 
 public:
   // The tree points back to this object.

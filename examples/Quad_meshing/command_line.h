@@ -1,0 +1,350 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_EXAMPLES_COMMAND_LINE_H
+#define CGAL_QUAD_MESHING_EXAMPLES_COMMAND_LINE_H
+
+// What the command-line programs of this folder have in common: exit codes, options, reading and
+// writing of meshes, a progress bar. A program looks like this:
+//
+//   int main(int argc, char* argv[])
+//   {
+//     return command_line::run("my_program", [&]
+//     {
+//       po::options_description options("Options");
+//       options.add_options()("target-quads", po::value<double>()->default_value(4000), "number of quads");
+//       command_line::Arguments args("my_program", "makes a mesh out of a mesh", { "IN", "OUT" }, options);
+//       if(!args.parse(argc, argv))
+//         return command_line::done;                 // --help
+//       const auto tm = command_line::read_mesh<Mesh>(args.positional(0));
+//       ...
+//       command_line::write_mesh(args.positional(1), qm);
+//       return command_line::done;
+//     });
+//   }
+//
+// Arguments and files that cannot be used throw `Unusable_input`, which `run()` turns into one line
+// on the standard error stream and the exit code 2.
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/IO/Flat_json.h>
+#include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
+
+#include <CGAL/boost/graph/IO/OBJ.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+#include <CGAL/boost/graph/IO/PLY.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+namespace po = boost::program_options;
+
+namespace command_line {
+
+// The exit codes of all programs.
+enum Exit_code
+{
+  done = 0,       // ran, and the result is valid
+  not_valid = 1,  // ran, but the result is not valid; the program says why
+  unusable = 2    // the arguments or the input cannot be used; one line says why
+};
+
+// Arguments or a file that cannot be used; what() is the line for the user.
+struct Unusable_input : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// Text in one line.
+inline std::string one_line(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::replace(text.begin(), text.end(), '\r', ' ');
+  return text;
+}
+
+// Runs the body of a program and returns its exit code.
+template <typename Body>
+int run(const std::string& program, Body body)
+{
+  try
+  {
+    return body();
+  }
+  catch(const Unusable_input& e)
+  {
+    std::cerr << program << ": " << one_line(e.what()) << std::endl;
+    return unusable;
+  }
+  catch(const po::error& e)
+  {
+    std::cerr << program << ": " << one_line(e.what()) << " (see --help)" << std::endl;
+    return unusable;
+  }
+  catch(const std::bad_alloc&)
+  {
+    std::cerr << program << ": the memory does not suffice" << std::endl;
+    return not_valid;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << program << ": internal error: " << one_line(e.what()) << std::endl;
+    return not_valid;
+  }
+}
+
+// The command line of a program: positional arguments, its own options, and --help.
+class Arguments
+{
+  std::string m_program, m_purpose;
+  std::vector<std::string> m_names;
+  po::options_description m_options;
+  std::vector<std::string> m_positional;
+  po::variables_map m_values;
+
+public:
+  // Names of positional arguments in brackets, as "[OUT]", may be left away by the user.
+  Arguments(std::string program, std::string purpose, std::vector<std::string> names,
+            const po::options_description& options)
+    : m_program(std::move(program)), m_purpose(std::move(purpose)), m_names(std::move(names)), m_options(options)
+  {
+    m_options.add_options()("help,h", "show this text");
+  }
+
+  // Returns false if the user asked for help, which was given.
+  bool parse(int argc, const char* const* argv)
+  {
+    po::options_description hidden;
+    hidden.add_options()("positional", po::value<std::vector<std::string> >());
+    po::options_description all;
+    all.add(m_options).add(hidden);
+    po::positional_options_description positional;
+    positional.add("positional", -1);
+
+    // No guessing of abbreviated options: "--target" must not become "--target-quads" today and be
+    // ambiguous tomorrow.
+    namespace style = po::command_line_style;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
+                .style(style::unix_style & ~style::allow_guessing).run(), m_values);
+    if(m_values.count("help"))
+    {
+      print_help(std::cout);
+      return false;
+    }
+    po::notify(m_values);
+    if(m_values.count("positional"))
+      m_positional = m_values["positional"].as<std::vector<std::string> >();
+
+    const auto required = static_cast<std::size_t>(
+      std::count_if(m_names.begin(), m_names.end(), [](const std::string& name) { return name[0] != '['; }));
+    if(m_positional.size() < required)
+      throw Unusable_input("the argument " + m_names[m_positional.size()] + " is missing (see --help)");
+    if(m_positional.size() > m_names.size())
+      throw Unusable_input("too many arguments: '" + m_positional[m_names.size()] + "' (see --help)");
+    return true;
+  }
+
+  void print_help(std::ostream& os) const
+  {
+    os << "usage: " << m_program;
+    for(const std::string& name : m_names)
+      os << " " << name;
+    os << " [options]\n" << m_purpose << "\n\n" << m_options << "\n"
+       << "Exit code: 0 done and valid, 1 ran but the result is not valid, 2 unusable arguments or input.\n";
+  }
+
+  bool has(const std::string& option) const { return m_values.count(option) > 0 && !m_values[option].defaulted(); }
+
+  bool has_positional(std::size_t i) const { return i < m_positional.size(); }
+  const std::string& positional(std::size_t i) const { return m_positional.at(i); }
+
+  // The value of an option that the user gave or that has a default value.
+  template <typename T>
+  const T& value(const std::string& option) const { return m_values[option].template as<T>(); }
+
+  // The same for a number that must be finite and lie in [low, high].
+  double number(const std::string& option, double low, double high) const
+  {
+    const double x = value<double>(option);
+    if(!(std::isfinite(x) && low <= x && x <= high))
+      throw Unusable_input("--" + option + " must be a number from " + text(low) + " to " + text(high) + ", not " + text(x));
+    return x;
+  }
+
+  // The same for a number that must be finite and positive.
+  double positive_number(const std::string& option) const
+  {
+    const double x = value<double>(option);
+    if(!(std::isfinite(x) && x > 0))
+      throw Unusable_input("--" + option + " must be a positive number, not " + text(x));
+    return x;
+  }
+
+  // The position of the option's value in the list of words that are allowed.
+  std::size_t choice(const std::string& option, const std::vector<std::string>& words) const
+  {
+    const std::string& word = value<std::string>(option);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if(found != words.end())
+      return static_cast<std::size_t>(found - words.begin());
+    std::string list;
+    for(const std::string& w : words)
+      list += (list.empty() ? "" : ", ") + w;
+    throw Unusable_input("--" + option + " must be one of " + list + ", not '" + word + "'");
+  }
+
+  // Whether an option of the kind --option on/off is on.
+  bool is_on(const std::string& option) const { return choice(option, { "off", "on" }) == 1; }
+
+private:
+  static std::string text(double x)
+  {
+    std::ostringstream os;
+    os << x;
+    return os.str();
+  }
+};
+
+// Reads a triangle mesh and says on the standard error stream, in one line, what was repaired.
+template <typename Mesh>
+Mesh read_mesh(const std::string& filename)
+{
+  Mesh tm;
+  const CGAL::Quad_meshing::Mesh_reading_result result = CGAL::Quad_meshing::read_triangle_mesh(filename, tm);
+  if(!result)
+    throw Unusable_input(filename + ": " + result.message);
+  for(std::size_t i = 0; i < result.repairs.size(); ++i)
+    std::cerr << (i == 0 ? filename + ": " : "; ") << result.repairs[i] << (i + 1 == result.repairs.size() ? "\n" : "");
+  return tm;
+}
+
+inline std::ofstream open_output(const std::string& filename)
+{
+  errno = 0;
+  std::ofstream out(filename, std::ios::out | std::ios::binary);
+  if(!out)
+    throw Unusable_input(filename + ": cannot be written: " + (errno != 0 ? std::strerror(errno) : "unknown reason"));
+  out.precision(17);
+  return out;
+}
+
+// Throws unless `write_mesh()` can write to a file of that name: to be asked before a long computation.
+inline void check_mesh_output(const std::string& filename)
+{
+  const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
+  if(extension != "off" && extension != "obj" && extension != "ply")
+    throw Unusable_input(filename + ": the format '" + extension + "' is not one of off, obj, ply");
+  // Appending opens the file without harm to what it may hold.
+  errno = 0;
+  const bool existed = static_cast<bool>(std::ifstream(filename));
+  if(!std::ofstream(filename, std::ios::app))
+    throw Unusable_input(filename + ": cannot be written: " + (errno != 0 ? std::strerror(errno) : "unknown reason"));
+  if(!existed)
+    std::remove(filename.c_str());
+}
+
+// Writes a mesh in the format that the extension names, with numbers that read back as they are.
+template <typename Mesh>
+void write_mesh(const std::string& filename, const Mesh& mesh)
+{
+  const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
+  check_mesh_output(filename);
+  std::ofstream out = open_output(filename);
+  const auto np = CGAL::parameters::stream_precision(17);
+  const bool written = extension == "off" ? CGAL::IO::write_OFF(out, mesh, np)
+                     : extension == "obj" ? CGAL::IO::write_OBJ(out, mesh, np)
+                                          : CGAL::IO::write_PLY(out, mesh, np);
+  out.close();
+  if(!written || !out)
+    throw Unusable_input(filename + ": writing failed");
+}
+
+inline void write_json(const std::string& filename, const CGAL::Quad_meshing::Flat_json& json)
+{
+  std::ofstream out = open_output(filename);
+  json.write(out);
+  out.close();
+  if(!out)
+    throw Unusable_input(filename + ": writing failed");
+}
+
+// A visitor that draws the running stage and how far it has come, on a terminal only.
+class Progress_bar : public CGAL::Quad_meshing::Default_visitor
+{
+  static constexpr int width = 30;
+
+  std::vector<std::string> m_stages;
+  int m_drawn = -1;
+  bool m_is_terminal;
+
+public:
+#ifdef _WIN32
+  Progress_bar() : m_is_terminal(false) {}
+#else
+  Progress_bar() : m_is_terminal(isatty(STDERR_FILENO) == 1) {}
+#endif
+
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+  ~Progress_bar() { erase(); }
+
+  void on_stage_begin(const std::string& name)
+  {
+    m_stages.push_back(name);
+    m_drawn = -1;
+    progress(0);
+  }
+
+  void on_stage_end(const std::string&)
+  {
+    if(!m_stages.empty())
+      m_stages.pop_back();
+    erase();
+  }
+
+  void progress(double completed)
+  {
+    const int filled = static_cast<int>(width * (std::min)((std::max)(completed, 0.), 1.));
+    if(!m_is_terminal || filled == m_drawn || m_stages.empty())
+      return;
+    m_drawn = filled;
+    std::cerr << "\r\033[K[" << std::string(filled, '#') << std::string(width - filled, '.') << "] " << m_stages.back()
+              << std::flush;
+  }
+
+private:
+  void erase()
+  {
+    if(m_is_terminal)
+      std::cerr << "\r\033[K" << std::flush;
+    m_drawn = -1;
+  }
+};
+
+} // namespace command_line
+
+#endif // CGAL_QUAD_MESHING_EXAMPLES_COMMAND_LINE_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_EXTRACTION_QUAD_EXTRACTION_RESULT_H
+#define CGAL_QUAD_MESHING_EXTRACTION_QUAD_EXTRACTION_RESULT_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingExtractionGrp
+ *
+ * \brief says what became of an extraction.
+ */
+enum class Quad_extraction_status
+{
+  VALID,       ///< The map is an integer-grid map, and the mesh is the pure quad mesh it stands for.
+  NOT_SIMPLE,  ///< As `VALID`, but the mesh is so coarse that two of its edges join the same two vertices or a
+               ///  face meets itself: it is correct as a halfedge data structure, but cannot be stored as a list of faces.
+  REPAIRED,    ///< The map is no integer-grid map. There is a manifold mesh; the other members tell what
+               ///  was done and whether faces other than quads or holes remain.
+  FAILED,      ///< There is no mesh: the message says why. The output mesh was not touched.
+  STOPPED      ///< The visitor asked to stop. The output mesh was not touched.
+};
+
+/*!
+ * \ingroup PkgQuadMeshingExtractionGrp
+ *
+ * \brief is the answer of `extract_quad_mesh()`.
+ *
+ * Faces of the triangle mesh are named by their index in the face index map.
+ */
+struct Quad_extraction_result
+{
+  /// \name Outcome
+  /// @{
+  Quad_extraction_status status = Quad_extraction_status::FAILED;
+  std::string message;                      ///< one sentence for the user
+  /// @}
+
+  /// \name The Mesh
+  /// @{
+  std::size_t vertices = 0;
+  std::size_t quads = 0;
+  std::size_t other_faces = 0;              ///< faces that are no quads
+  std::size_t irregular_vertices = 0;       ///< inner vertices of a valence other than 4
+  std::size_t irregular_border_vertices = 0; ///< border vertices of a valence other than 3
+  std::size_t multiple_edges = 0;           ///< edges that join the same vertices as an edge before, and loops
+  /// @}
+
+  /// \name The Map
+  /// @{
+  std::vector<std::size_t> folded_faces;    ///< triangles whose image has negative orientation
+  std::vector<std::size_t> degenerate_faces; ///< triangles whose image has no area
+  std::size_t inexact_transitions = 0;      ///< edges over which no automorphism of the grid maps one chart to the other exactly
+  double largest_coordinate_change = 0;     ///< how far a coordinate was moved to make the transitions exact
+  /// @}
+
+  /// \name What Was Done
+  /// @{
+  std::size_t edges_cut_by_border = 0;      ///< grid edges that the border cuts; they and the cells beside them are left out
+  double uncovered_area = 0;                ///< area of the map outside the quads, in grid cells: zero if all borders
+                                            ///  run along isolines
+  std::size_t holes_closed = 0;             ///< border loops that lie inside one grid cell; the quad closes them
+  std::size_t moved_vertices = 0;           ///< vertices whose image was moved to undo fold-overs
+  std::size_t cancelled_crossings = 0;      ///< pairs of grid points of opposite orientation that were removed
+  std::size_t removed_edges = 0;            ///< grid edges that could not be followed or led to nothing
+  std::size_t joined_faces = 0;             ///< pairs of faces with an odd number of sides that were joined
+  std::size_t split_faces = 0;              ///< faces of more than four sides that were cut into quads
+  std::size_t dropped_faces = 0;            ///< closed faces too degenerate to keep
+  std::size_t split_vertices = 0;           ///< grid points that became several vertices, to be manifold
+  /// @}
+
+  /// returns whether a mesh was made and it is all quads.
+  bool is_pure() const { return quads > 0 && other_faces == 0; }
+};
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_EXTRACTION_QUAD_EXTRACTION_RESULT_H

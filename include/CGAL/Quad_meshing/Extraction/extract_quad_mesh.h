@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_EXTRACTION_EXTRACT_QUAD_MESH_H
+#define CGAL_QUAD_MESHING_EXTRACTION_EXTRACT_QUAD_MESH_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
+#include <CGAL/Quad_meshing/Extraction/internal/Quad_extractor.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <utility>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingExtractionGrp
+ *
+ * \brief extracts the quad mesh that an integer-grid map stands for.
+ *
+ * The map gives each triangle an image in the plane; the preimage of the grid of integer
+ * isolines is the quad mesh. The map is an *integer-grid map* if (1) across each edge the images
+ * of both triangles differ by a rotation by a multiple of 90 degrees and an integer translation, (2) each
+ * vertex around which the angles of the images do not add up to 360 degrees lies on a grid point, and (3) all triangles have
+ * positive orientation. If all this holds exactly in the `double` numbers given, and
+ * borders run along isolines, then the result is a pure quad mesh with the topology of `tm`: all decisions
+ * are made by exact predicates. Cells that are cut by a border which does not run along isolines are left out.
+ *
+ * A map that only nearly fulfills (1) and (2), as one read from a text file, is first moved to the nearest one that
+ * fulfills them exactly. Where triangles are folded over, the images of vertices nearby are moved to undo it
+ * where this is possible, and else pairs of grid points of opposite orientation are removed; the result is still a manifold mesh,
+ * but it may contain faces that are no quads, or holes. The members of `Quad_extraction_result` tell what was done.
+ *
+ * The function has no tolerance and is deterministic. Its running time is linear in the number of triangles, quads, and crossings
+ * of isolines with edges.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
+ * \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
+ *         as key type and a two-dimensional point as value type, whose coordinates convert to `double`
+ * \tparam QuadMesh a model of `MutableFaceGraph`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tm the triangle mesh
+ * \param uv the map: at a halfedge, the image of its target in the chart of its face. Border halfedges are not read.
+ * \param qm the output. Its elements are added to what it contains; it remains untouched if nothing can be extracted.
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0` and `num_vertices(tm) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0` and `num_faces(tm) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_location_map}
+ *     \cgalParamDescription{a property map that receives for each vertex of `qm` the place on `tm` where it lies}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%vertex_descriptor`
+ *                    as key type and `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that learns about the progress and can stop the extraction; pass it by `std::ref`}
+ *     \cgalParamType{a class with the members of `Default_visitor`}
+ *     \cgalParamDefault{`Default_visitor`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return what was extracted, and what had to be done for it
+ *
+ * \pre `is_triangle_mesh(tm)`
+ */
+template <typename TriangleMesh, typename HalfedgeUVMap, typename QuadMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Quad_extraction_result
+extract_quad_mesh(const TriangleMesh& tm,
+                  HalfedgeUVMap uv,
+                  QuadMesh& qm,
+                  const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using parameters::is_default_parameter;
+
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
+  typedef typename boost::property_map<QuadMesh, vertex_point_t>::type Quad_vpm;
+  typedef typename boost::property_traits<Quad_vpm>::value_type Quad_point;
+
+  CGAL_precondition(is_triangle_mesh(tm));
+
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+  auto vim = get_initialized_vertex_index_map(tm, np);
+  auto fim = get_initialized_face_index_map(tm, np);
+
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+    Visitor_reference;
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, vpm, vim, fim);
+  internal::Grid_map map(mesh);
+  internal::copy_corners(tm, uv, fim, map);
+
+  Quad_extraction_result result;
+  internal::Quad_extractor extractor(map, result);
+  if(!extractor.run(visitor))
+    return result;
+
+  std::vector<face_descriptor> face_of_index(faces(tm).size());
+  for(face_descriptor f : faces(tm))
+    face_of_index[get(fim, f)] = f;
+
+  Quad_vpm quad_vpm = get(vertex_point, qm);
+  auto face_location_map = get_parameter(np, internal_np::face_location_map);
+  extractor.write(qm, [&](const internal::Grid_location& l)
+  {
+    const quad_vertex_descriptor v = add_vertex(qm);
+    const auto p = internal::position(mesh, l);
+    put(quad_vpm, v, Quad_point(p.x(), p.y(), p.z()));
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
+      put(face_location_map, v, std::make_pair(face_of_index[l.face], l.weights));
+    else
+      CGAL_USE(face_location_map);
+    return v;
+  });
+  return result;
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_EXTRACTION_EXTRACT_QUAD_MESH_H

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_GRID_GRAPH_H
+#define CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_GRID_GRAPH_H
+
+#include <CGAL/Quad_meshing/Extraction/internal/Isoline_tracer.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The graph of the grid lines on the surface, with the cyclic order of its rays around every node: a
+// halfedge data structure in which ray r is the halfedge from `node[r]` to `node[opposite[r]]`, and
+// the face of r is on its left.
+struct Grid_graph
+{
+  enum { NONE = -1,          // no ray follows: the border of the surface lies there
+         CUT_BY_BORDER = -1, // the ray leaves the surface before it reaches another node
+         FAILED = -2,        // the ray could not be followed
+         REMOVED = -3 };
+
+  std::vector<int> node;        // per ray: where it starts
+  std::vector<int> opposite;    // per ray: the one it runs to, or a reason why there is none
+  std::vector<int> ccw, cw;     // per ray: the next one around its node, or NONE
+  std::vector<int> first;       // per node: one of its rays, or NONE; at a border the one with no ray before it
+  std::vector<int> face;        // per ray: the face on its left, or NONE where that is open to the border
+  std::vector<int> degree;      // per face
+
+  int number_of_nodes() const { return static_cast<int>(first.size()); }
+  int number_of_rays() const { return static_cast<int>(node.size()); }
+  int number_of_faces() const { return static_cast<int>(degree.size()); }
+  bool is_alive(int r) const { return opposite[r] != REMOVED; }
+
+  // The ray after r around the face on the left of r, or NONE.
+  int next(int r) const { return opposite[r] < 0 ? static_cast<int>(NONE) : cw[opposite[r]]; }
+
+  template <typename Function>
+  void for_each_ray_of_node(int n, const Function& f) const
+  {
+    int r = first[n];
+    if(r == NONE)
+      return;
+    do
+    {
+      f(r);
+      r = ccw[r];
+    }
+    while(r != NONE && r != first[n]);
+  }
+
+  // Takes a ray out of the order around its node.
+  void unlink(int r)
+  {
+    const int n = node[r];
+    if(first[n] == r)
+      first[n] = (ccw[r] == r) ? static_cast<int>(NONE) : ccw[r];
+    if(ccw[r] != NONE) cw[ccw[r]] = cw[r];
+    if(cw[r] != NONE) ccw[cw[r]] = ccw[r];
+    opposite[r] = REMOVED;
+  }
+
+  // Removes a ray and the one at its other end.
+  void remove_edge(int r)
+  {
+    const int o = opposite[r];
+    unlink(r);
+    if(o >= 0)
+      unlink(o);
+  }
+
+  void find_faces()
+  {
+    const int UNKNOWN = -2;
+    face.assign(number_of_rays(), UNKNOWN);
+    degree.clear();
+    for(int s = 0; s < number_of_rays(); ++s)
+    {
+      if(face[s] != UNKNOWN)
+        continue;
+      // Walk to see whether the face closes. An open chain ends at a border, or in one found open before.
+      int n = 0, r = s;
+      do
+      {
+        ++n;
+        r = next(r);
+      }
+      while(r != NONE && r != s && face[r] == UNKNOWN);
+      const bool closed = r == s;
+      const int id = closed ? number_of_faces() : static_cast<int>(NONE);
+      if(closed)
+        degree.push_back(n);
+      r = s;
+      for(int i = 0; i < n; ++i, r = next(r))
+        face[r] = id;
+    }
+  }
+
+  // Makes holes of the faces whose degree `is_bad`, and returns how many these are.
+  template <typename Predicate>
+  std::size_t drop_faces(const Predicate& is_bad)
+  {
+    std::vector<int> id(degree.size()), kept;
+    for(std::size_t i = 0; i < degree.size(); ++i)
+    {
+      id[i] = is_bad(degree[i]) ? static_cast<int>(NONE) : static_cast<int>(kept.size());
+      if(id[i] != NONE)
+        kept.push_back(degree[i]);
+    }
+    for(int& f : face)
+      if(f >= 0)
+        f = id[f];
+    const std::size_t dropped = degree.size() - kept.size();
+    degree.swap(kept);
+    return dropped;
+  }
+};
+
+// Traces all rays. Calls `go_further(part)` now and then and returns `false` if that does.
+template <typename GoFurther>
+bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g, const GoFurther& go_further)
+{
+  const int UNKNOWN = -4;
+  const int n = nodes.number_of_rays();
+  g.node = nodes.ray_node;
+  g.opposite.assign(n, UNKNOWN);
+  g.ccw.assign(n, Grid_graph::NONE);
+  g.cw.assign(n, Grid_graph::NONE);
+  g.first.assign(nodes.number_of_nodes(), Grid_graph::NONE);
+
+  for(int i = 0; i < nodes.number_of_nodes(); ++i)
+  {
+    int last = Grid_graph::NONE;
+    for(int r = nodes.first_ray[i]; r < nodes.first_ray[i + 1]; ++r)
+    {
+      if(nodes.mate[r] != -1)
+      {
+        g.opposite[r] = Grid_graph::REMOVED;
+        continue;
+      }
+      if(last == Grid_graph::NONE)
+        g.first[i] = r;
+      else
+      {
+        g.ccw[last] = r;
+        g.cw[r] = last;
+      }
+      last = r;
+    }
+    if(last != Grid_graph::NONE && !nodes.on_border[i])
+    {
+      g.ccw[last] = g.first[i];
+      g.cw[g.first[i]] = last;
+    }
+  }
+
+  Isoline_tracer trace(map, nodes);
+  for(int r = 0; r < n; ++r)
+  {
+    if((r & 0xffff) == 0 && !go_further(static_cast<double>(r) / n))
+      return false;
+    if(g.opposite[r] != UNKNOWN)
+      continue;
+    const int o = trace(r);
+    if(o >= 0 && o != r && g.opposite[o] == UNKNOWN)
+    {
+      g.opposite[r] = o;
+      g.opposite[o] = r;
+    }
+    else
+      g.opposite[r] = (o == Isoline_tracer::LEAVES_THE_SURFACE) ? Grid_graph::CUT_BY_BORDER : Grid_graph::FAILED;
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_GRID_GRAPH_H

@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_QUAD_EXTRACTOR_H
+#define CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_QUAD_EXTRACTOR_H
+
+#include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
+#include <CGAL/Quad_meshing/Extraction/internal/Grid_graph.h>
+#include <CGAL/Quad_meshing/Extraction/internal/Grid_graph_repair.h>
+#include <CGAL/Quad_meshing/Extraction/internal/read_grid_map.h>
+#include <CGAL/Quad_meshing/Extraction/internal/write_grid_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// A point of a face: its weights with respect to the corners 0, 1, 2.
+struct Grid_location
+{
+  int face;
+  std::array<double, 3> weights;
+};
+
+inline Indexed_triangle_mesh::Point_3 position(const Indexed_triangle_mesh& m, const Grid_location& l)
+{
+  double c[3] = { 0, 0, 0 };
+  for(int k = 0; k < 3; ++k)
+    for(int i = 0; i < 3; ++i)
+      c[i] += l.weights[k] * m.points[m.corners[l.face][k]][i];
+  return Indexed_triangle_mesh::Point_3(c[0], c[1], c[2]);
+}
+
+// Faces of more sides are holes rather than faces.
+const int largest_degree_kept = 16;
+
+// The stages of the extraction (Ebke, Bommes, Campen, Kobbelt 2013): make the map consistent, find the grid points, trace
+// the grid lines between them, walk around the faces, repair what fold-overs left.
+class Quad_extractor
+{
+public:
+  Quad_extractor(Grid_map& map, Quad_extraction_result& result) : m_map(map), m_result(result) {}
+
+  // Returns whether there is something to write.
+  template <typename Visitor>
+  bool run(Visitor& visitor)
+  {
+    visitor.on_stage_begin("extraction");
+    const bool ok = run_stages(visitor);
+    visitor.on_stage_end("extraction");
+    return ok;
+  }
+
+  // `new_vertex(location)` adds a vertex to the mesh.
+  template <typename QuadMesh, typename NewVertex>
+  void write(QuadMesh& qm, const NewVertex& new_vertex) const
+  {
+    write_grid_graph(m_graph, m_vertex_of_ray, m_node_of_vertex.size(), qm,
+                     [&](std::size_t i) { return new_vertex(location(m_node_of_vertex[i])); });
+  }
+
+private:
+  Grid_map& m_map;
+  Quad_extraction_result& m_result;
+  Grid_graph m_graph;
+  std::vector<Grid_location> m_locations;   // per node
+  std::vector<int> m_vertex_of_ray;
+  std::vector<int> m_node_of_vertex;
+
+  bool fail(const std::string& why)
+  {
+    m_result.status = Quad_extraction_status::FAILED;
+    m_result.message = why;
+    return false;
+  }
+
+  template <typename Visitor>
+  bool run_stages(Visitor& visitor)
+  {
+    auto go_further = [&](double part)
+    {
+      visitor.progress(part);
+      return visitor.go_further();
+    };
+
+    if(m_map.mesh.number_of_faces() == 0)
+      return fail("the triangle mesh has no faces");
+    const std::string defect = defect_of_coordinates(m_map);
+    if(!defect.empty())
+      return fail(defect);
+
+    m_result.inexact_transitions = make_transitions(m_map).size();
+    compute_signs(m_map);
+    for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
+      if(m_map.sign[f] <= 0)
+        (m_map.sign[f] < 0 ? m_result.folded_faces : m_result.degenerate_faces).push_back(f);
+
+    if(!go_further(0.1))
+      return stop();
+    const Grid_nodes nodes(m_map);
+    if(!make_grid_graph(m_map, nodes, m_graph, [&](double part) { return go_further(0.4 + 0.5 * part); }))
+      return stop();
+    locate(nodes);
+
+    if(!go_further(0.9))
+      return stop();
+    repair(nodes);
+    m_node_of_vertex = make_vertices(m_graph, m_vertex_of_ray);
+    return summarize();
+  }
+
+  bool stop()
+  {
+    m_result.status = Quad_extraction_status::STOPPED;
+    m_result.message = "stopped on request";
+    return false;
+  }
+
+  void locate(const Grid_nodes& nodes)
+  {
+    m_locations.resize(nodes.number_of_nodes());
+    for(int n = 0; n < nodes.number_of_nodes(); ++n)
+    {
+      const int h = nodes.node_halfedge[n], f = h / 3, k = h % 3;
+      Grid_location& l = m_locations[n];
+      l.face = f;
+      l.weights = {{ 0, 0, 0 }};
+      const Grid_map::Point_2& p = nodes.node_point[n];
+      if(nodes.is_on_vertex(n))
+        l.weights[k] = 1;
+      else if(nodes.is_on_edge(n))
+      {
+        const Grid_map::Point_2& a = m_map.uv[h];
+        const Grid_map::Point_2& b = m_map.uv[Indexed_triangle_mesh::next(h)];
+        const double dx = b.x() - a.x(), dy = b.y() - a.y();
+        const double t = std::fabs(dx) >= std::fabs(dy) ? (p.x() - a.x()) / dx : (p.y() - a.y()) / dy;
+        l.weights[k] = 1 - t;
+        l.weights[(k + 1) % 3] = t;
+      }
+      else
+      {
+        const Grid_map::Point_2* c = &m_map.uv[3 * f];
+        double sum = 0;
+        for(int i = 0; i < 3; ++i)
+        {
+          const Grid_map::Point_2& a = c[(i + 1) % 3];
+          const Grid_map::Point_2& b = c[(i + 2) % 3];
+          l.weights[i] = std::fabs((a.x() - p.x()) * (b.y() - p.y()) - (a.y() - p.y()) * (b.x() - p.x()));
+          sum += l.weights[i];
+        }
+        for(double& w : l.weights)
+          w /= sum;
+      }
+    }
+  }
+
+  const Grid_location& location(int n) const { return m_locations[n]; }
+
+  // An exact map leaves nothing to do here, and all faces of its graph are quads.
+  void repair(const Grid_nodes& nodes)
+  {
+    m_result.edges_cut_by_border = std::count(m_graph.opposite.begin(), m_graph.opposite.end(),
+                                              static_cast<int>(Grid_graph::CUT_BY_BORDER));
+    m_graph.find_faces();
+    bool clean = std::all_of(m_graph.degree.begin(), m_graph.degree.end(), [](int d) { return d == 4; });
+    clean &= std::count(m_graph.opposite.begin(), m_graph.opposite.end(), static_cast<int>(Grid_graph::FAILED)) == 0;
+    if(clean)
+      return;
+
+    std::vector<signed char> node_sign(nodes.number_of_nodes(), 0);
+    for(int n = 0; n < nodes.number_of_nodes(); ++n)
+      if(m_graph.first[n] != Grid_graph::NONE)
+        node_sign[n] = nodes.ray_sign[m_graph.first[n]];
+    Grid_graph_repair graph_repair(m_graph, node_sign);
+    graph_repair();
+    m_result.cancelled_crossings = graph_repair.cancelled_crossings;
+    m_result.removed_edges = graph_repair.removed_edges;
+
+    const Grid_face_splitter splitter(m_graph, largest_degree_kept, [&](int m, int n)
+    {
+      return squared_distance(position(m_map.mesh, m_locations[m]), position(m_map.mesh, m_locations[n]));
+    });
+    m_result.joined_faces = splitter.joined_faces;
+    m_result.split_faces = splitter.split_faces;
+
+    m_graph.find_faces();
+    m_result.dropped_faces = m_graph.drop_faces([](int d) { return d < 3 || d > largest_degree_kept; });
+  }
+
+  void summarize_vertices()
+  {
+    const std::size_t n = m_node_of_vertex.size();
+    std::vector<int> valence(n, 0);
+    std::vector<char> on_border(n, false), has_vertex(m_graph.number_of_nodes(), false);
+    for(int r = 0; r < m_graph.number_of_rays(); ++r)
+    {
+      const int v = m_vertex_of_ray[r];
+      if(v == -1)
+        continue;
+      ++valence[v];
+      if(m_graph.face[r] < 0 || m_graph.face[m_graph.opposite[r]] < 0)
+        on_border[v] = true;
+    }
+    for(std::size_t v = 0; v < n; ++v)
+    {
+      if(valence[v] != (on_border[v] ? 3 : 4))
+        ++(on_border[v] ? m_result.irregular_border_vertices : m_result.irregular_vertices);
+      m_result.split_vertices += has_vertex[m_node_of_vertex[v]];
+      has_vertex[m_node_of_vertex[v]] = true;
+    }
+
+    std::vector<int> neighbors;
+    for(int i = 0; i < m_graph.number_of_nodes(); ++i)
+    {
+      neighbors.clear();
+      m_graph.for_each_ray_of_node(i, [&](int r)
+      {
+        const int v = m_vertex_of_ray[r];
+        if(v == -1)
+          return;
+        const int w = m_vertex_of_ray[m_graph.opposite[r]];
+        if(v < w)
+          neighbors.push_back(w);
+        else if(v == w && r < m_graph.opposite[r])
+          ++m_result.multiple_edges;
+      });
+      // A vertex is one of few at its node, and its neighbors are few, unless it is a pole.
+      std::sort(neighbors.begin(), neighbors.end());
+      m_result.multiple_edges += neighbors.end() - std::unique(neighbors.begin(), neighbors.end());
+    }
+  }
+
+  bool summarize()
+  {
+    m_result.vertices = m_node_of_vertex.size();
+    for(int d : m_graph.degree)
+      ++(d == 4 ? m_result.quads : m_result.other_faces);
+    summarize_vertices();
+
+    double area = 0;
+    for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
+      area += CGAL::area(m_map.uv[3 * f], m_map.uv[3 * f + 1], m_map.uv[3 * f + 2]);
+    m_result.uncovered_area = area - static_cast<double>(m_result.quads);
+
+    if(m_graph.number_of_faces() == 0)
+      return fail("the map covers no complete grid cell");
+    if(is_repaired())
+    {
+      m_result.status = Quad_extraction_status::REPAIRED;
+      m_result.message = "the map is no integer-grid map: " + std::to_string(m_result.folded_faces.size())
+        + " triangles folded over, " + std::to_string(m_result.degenerate_faces.size()) + " without area, "
+        + std::to_string(m_result.inexact_transitions) + " transitions not exact; the mesh has "
+        + std::to_string(m_result.quads) + " quads and " + std::to_string(m_result.other_faces) + " other faces";
+    }
+    else if(m_result.multiple_edges > 0)
+    {
+      m_result.status = Quad_extraction_status::NOT_SIMPLE;
+      m_result.message = "the grid is too coarse: " + std::to_string(m_result.multiple_edges)
+        + " edges join vertices that another edge joins already";
+    }
+    else
+    {
+      m_result.status = Quad_extraction_status::VALID;
+      m_result.message = std::to_string(m_result.quads) + " quads, " + std::to_string(m_result.irregular_vertices)
+        + " irregular inner vertices";
+    }
+    return true;
+  }
+
+  bool is_repaired() const
+  {
+    return !m_result.folded_faces.empty() || !m_result.degenerate_faces.empty() || m_result.inexact_transitions > 0
+        || m_result.removed_edges > 0 || m_result.other_faces > 0 || m_result.dropped_faces > 0;
+  }
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_QUAD_EXTRACTOR_H

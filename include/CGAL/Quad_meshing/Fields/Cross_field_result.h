@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_RESULT_H
+#define CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_RESULT_H
+
+#include <string>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingFieldsGrp
+ * \brief names the ways to find the period jumps of a cross field.
+ */
+enum class Cross_field_method
+{
+  POLISHED, ///< the globally smoothest representation field, rounded, and a local search with exact gains (the default and the best)
+  GREEDY,   ///< the mixed-integer problem over a forest of dual trees, integers rounded one after the other, nearest first
+  DIRECT,   ///< the same problem, all integers rounded at once
+  NAIVE     ///< as `GREEDY` with a factorization of the system after every rounding: a yardstick for small meshes
+};
+
+/*!
+ * \ingroup PkgQuadMeshingFieldsGrp
+ * \brief says how the computation of a cross field ended.
+ */
+enum class Cross_field_status
+{
+  SUCCESS,             ///< the field is there and no sector is empty
+  EMPTY_SECTORS,       ///< the field is there, but a face with two constrained edges has no room for a quad
+  STOPPED,             ///< the visitor asked for an early end
+  NOT_A_TRIANGLE_MESH, ///< a face has not three vertices
+  POINT_NOT_FINITE,    ///< a coordinate is not a finite number
+  NUMERICAL_FAILURE    ///< a linear system could not be factorized
+};
+
+/// \ingroup PkgQuadMeshingFieldsGrp
+/// \brief returns a sentence that describes a status.
+inline std::string get_message(Cross_field_status status)
+{
+  switch(status)
+  {
+    case Cross_field_status::SUCCESS:             return "The cross field was computed.";
+    case Cross_field_status::EMPTY_SECTORS:       return "The cross field was computed, but a sector between two constrained edges has no room for a quad.";
+    case Cross_field_status::STOPPED:             return "The visitor stopped the computation of the cross field.";
+    case Cross_field_status::NOT_A_TRIANGLE_MESH: return "The mesh has a face that is not a triangle.";
+    case Cross_field_status::POINT_NOT_FINITE:    return "A vertex has a coordinate that is not a finite number.";
+    case Cross_field_status::NUMERICAL_FAILURE:   return "A linear system of the cross field could not be factorized.";
+  }
+  return std::string();
+}
+
+/*!
+ * \ingroup PkgQuadMeshingFieldsGrp
+ * \brief holds what `smooth_cross_field()` has to say about its result.
+ */
+struct Cross_field_result
+{
+  /// how it ended
+  Cross_field_status status = Cross_field_status::SUCCESS;
+  /// the same as a sentence
+  std::string message;
+  /// the smoothness energy, the sum of squared angle differences across inner edges
+  double energy = 0;
+  /// the energy before the local search
+  double initial_energy = 0;
+  /// the number of vertices with an index other than zero, corners of the border included
+  int singularities = 0;
+  /// the sum of all indices, in quarters
+  int index_sum = 0;
+  /// the number of period jumps that are free integers: inner edges minus free faces minus edges between given faces
+  int integers = 0;
+  /// the number of faces whose direction was given
+  int constrained_faces = 0;
+  /// the number of faces with two constrained edges that are neither parallel nor orthogonal
+  int conflicting_faces = 0;
+  /// the number of sectors between constrained edges that are left without a quad
+  int empty_sectors = 0;
+  /// the wall-clock time in seconds
+  double seconds = 0;
+
+  /// returns whether there is a field without empty sectors.
+  bool is_valid() const { return status == Cross_field_status::SUCCESS; }
+};
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_RESULT_H

@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_H
+#define CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
+#include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Fields/internal/Field_solver.h>
+#include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingFieldsGrp
+ *
+ * \brief computes a smooth cross field that follows given directions.
+ *
+ * A cross field has four directions in every face, a right angle apart. It is described by the angle
+ * of the first one and by one integer per edge, the period jump, that says which direction of the
+ * neighbor continues it. With \f$ \kappa_{ij} \f$ the angle between the reference directions of two
+ * neighboring faces, the field minimizes
+ * \f$ E = \sum (\theta_i + \kappa_{ij} + \frac{\pi}{2} p_{ij} - \theta_j)^2 \f$
+ * over all angles and all period jumps, as far as that can be done in little time; the minimum
+ * decides where the singularities lie \cgalCite{cgal:bzk-miq-09}. Both faces at a constrained edge have a direction along it.
+ *
+ * Between two consecutive constrained edges at a vertex the field turns by a multiple of a right
+ * angle, and by at least one: no sector is without a quad, however narrow. The result says so if a sector
+ * consists of a single face with two constrained edges and can therefore not be given one.
+ *
+ * The mesh may be closed or bounded, of any genus and of several components. Faces of zero
+ * area are allowed. The result does not depend on anything but the input.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam FaceAngleMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double` as value type
+ * \tparam EdgePeriodJumpMap a model of `WritablePropertyMap` with the edge descriptor as key and `int` as value type
+ * \tparam VertexSingularityMap a model of `WritablePropertyMap` with the vertex descriptor as key and `int` as value type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tm the triangle mesh
+ * \param angle gets the angle, in radians and counterclockwise about the normal, from the vector of
+ *   `halfedge(f, tm)` to the first direction of the cross of `f`; it lies in \f$ [-\pi/4, \pi/4] \f$
+ * \param period_jump gets \f$ p_{ij} \f$ with `i` the face of `halfedge(e, tm)` and `j` the face of
+ *   its opposite; 0 for border edges. Direction `a` of the cross of `i` continues as direction `a - p` in `j`.
+ * \param index gets the index of the field at a vertex in quarters. For an inner vertex it is 4 minus
+ *   the number of quads around it: 1 for valence 3, -1 for valence 5. For a vertex on the border it
+ *   is 2 minus this number. The sum of all indices is four times the Euler number if the field is aligned with the
+ *   border.
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{the edges the field is aligned with}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key and `bool` as value type}
+ *     \cgalParamDefault{no edge is constrained}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{align_boundary}
+ *     \cgalParamDescription{whether border edges are constrained}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_direction_map}
+ *     \cgalParamDescription{directions the field interpolates. They are projected to the planes of
+ *       their faces. Faces next to constrained edges follow the edge.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and
+ *       `boost::optional<Vector_3>` or a type like it as value type}
+ *     \cgalParamDefault{no direction is given}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{target_edge_length}
+ *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, singularities are kept
+ *       off places that are closer than half of it to a constrained edge without being on it.}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{singularities may be anywhere}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{cross_field_method}
+ *     \cgalParamDescription{how the period jumps are found}
+ *     \cgalParamType{`Cross_field_method`}
+ *     \cgalParamDefault{`Cross_field_method::POLISHED`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about stages and may stop them, see `Default_visitor`}
+ *     \cgalParamType{a class like `Default_visitor`, passed with `std::ref()`}
+ *     \cgalParamDefault{`Default_visitor`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D point as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{consecutive numbers of the vertices from 0}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{consecutive numbers of the faces from 0}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the energy and other figures. If its status is not `SUCCESS` it says why; unless it is `EMPTY_SECTORS`, nothing
+ * was written to the maps.
+ *
+ * \sa `cross_field_direction()`
+ */
+template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Cross_field_result
+smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, VertexSingularityMap index,
+                   const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef Static_boolean_property_map<edge_descriptor, false> No_edge;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_edge>::type
+    Edge_is_constrained_map;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::face_direction_map_t, NamedParameters,
+                                                       internal::No_face_direction<face_descriptor> >::type Face_direction_map;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference Visitor_reference;
+
+  const Edge_is_constrained_map constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
+  const Face_direction_map direction =
+    choose_parameter(get_parameter(np, internal_np::face_direction_map), internal::No_face_direction<face_descriptor>());
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  internal::Field_options options;
+  options.method = choose_parameter(get_parameter(np, internal_np::cross_field_method), Cross_field_method::POLISHED);
+  options.target_edge_length = to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.));
+  const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
+
+  Real_timer timer;
+  timer.start();
+  Cross_field_result result;
+  auto finish = [&](Cross_field_status status)
+  {
+    result.status = status;
+    result.message = get_message(status);
+    result.seconds = timer.time();
+    return result;
+  };
+
+  if(!is_triangle_mesh(tm))
+    return finish(Cross_field_status::NOT_A_TRIANGLE_MESH);
+
+  const auto fim = get_initialized_face_index_map(tm, np);
+  const auto vim = get_initialized_vertex_index_map(tm, np);
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, vpm, vim, fim);
+  for(const auto& p : mesh.points)
+    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      return finish(Cross_field_status::POINT_NOT_FINITE);
+
+  internal::Field_problem problem(mesh);
+  int e = 0;
+  for(auto ed : edges(tm))
+  {
+    if(is_border(halfedge(ed, tm), tm) && is_border(opposite(halfedge(ed, tm), tm), tm))
+      continue;
+    problem.aligned[e] = get(constrained, ed) || (align_boundary && problem.mesh.is_border_edge(e));
+    ++e;
+  }
+  problem.constrain_faces_to_aligned_edges();
+  for(auto f : faces(tm))
+    internal::constrain_face(problem, static_cast<int>(get(fim, f)), get(direction, f));
+  problem.find_components();
+  problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
+
+  internal::Cross_field field;
+  const Cross_field_status status = internal::solve_field(problem, options, visitor, field, result);
+  if(status != Cross_field_status::SUCCESS && status != Cross_field_status::EMPTY_SECTORS)
+    return finish(status);
+
+  for(auto f : faces(tm))
+    put(angle, f, field.angle[get(fim, f)]);
+  e = 0;
+  for(auto ed : edges(tm))
+  {
+    const bool inner = !is_border(ed, tm);
+    const bool present = inner || !is_border(halfedge(ed, tm), tm) || !is_border(opposite(halfedge(ed, tm), tm), tm);
+    put(period_jump, ed, inner ? field.period_jump[e] : 0);
+    e += present;
+  }
+  const std::vector<int> indices = internal::field_indices(problem, field);
+  for(auto v : vertices(tm))
+  {
+    const int i = indices[get(vim, v)];
+    put(index, v, i);
+    result.singularities += i != 0;
+    result.index_sum += i;
+  }
+  return finish(status);
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_H

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_SINGULARITY_COSTS_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_SINGULARITY_COSTS_H
+
+#include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// What a singularity costs at every vertex, in units of the energy: something near aligned edges
+// but not on them, where it would share a coordinate with the edge after rounding, and nothing
+// elsewhere. Near is less than half the target edge length, measured along mesh edges and across
+// the faces at the aligned edges.
+inline std::vector<double> singularity_costs(const Field_problem& problem, double target_edge_length)
+{
+  typedef std::pair<double, int> Entry;
+
+  // A singularity costs about 0.5 of smoothness energy; so much is worth avoiding the trap.
+  const double trap_cost = 0.3;
+
+  const Indexed_triangle_mesh& m = problem.mesh;
+  std::vector<double> cost(m.number_of_vertices(), 0.);
+  const double reach = target_edge_length / 2;
+  if(!(reach > 0))
+    return cost;
+
+  std::vector<double> distance(m.number_of_vertices(), std::numeric_limits<double>::infinity());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  auto reach_vertex = [&](int v, double d)
+  {
+    if(d < reach && d < distance[v])
+    {
+      distance[v] = d;
+      queue.push(Entry(d, v));
+    }
+  };
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+    if(problem.aligned[m.edge_of[h]])
+    {
+      reach_vertex(m.source(h), 0.);
+      reach_vertex(m.target(h), 0.);
+      const double side = std::sqrt(m.vector(m.prev(h)).squared_length());
+      reach_vertex(m.source(m.prev(h)), side * std::abs(std::sin(problem.frames.corner_angle(h))));
+    }
+  std::vector<std::vector<int> > around(m.number_of_vertices());
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+  {
+    around[m.source(h)].push_back(h);
+    if(m.opposite[h] == -1)
+      around[m.target(h)].push_back(h);
+  }
+  while(!queue.empty())
+  {
+    const Entry top = queue.top();
+    queue.pop();
+    const int v = top.second;
+    if(top.first > distance[v])
+      continue;
+    if(top.first > 0)
+      cost[v] = trap_cost;
+    for(int h : around[v])
+      reach_vertex(m.source(h) == v ? m.target(h) : m.source(h), top.first + std::sqrt(m.vector(h).squared_length()));
+  }
+  return cost;
+}
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_SINGULARITY_COSTS_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H
+#define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// All tolerances of the windows. Lengths are relative to the edge on which the window lies,
+// distances to the distances compared. With an exact number type all are zero.
+template <typename FT>
+struct Window_tolerances
+{
+  static constexpr bool is_exact() { return ! std::is_floating_point<FT>::value; }
+
+  // Window ends this close to each other (or to a vertex) are the same place; narrower windows are dropped.
+  static double place() { return is_exact() ? 0 : 1e-11; }
+
+  // A gap up to this width between a window and its neighbour on the edge is closed: it comes from
+  // rounding or from a saddle so shallow that it counts as flat. The distance changes by the square of it.
+  static double gap() { return is_exact() ? 0 : 1e-9; }
+
+  // Two distances that differ by less are equal, and the window that was there first stays.
+  static double tie() { return is_exact() ? 0 : 1e-14; }
+
+  // Neighbouring windows whose sources lie this close together (relative to their distance) are one window.
+  static double source() { return is_exact() ? 0 : 1e-13; }
+};
+
+// A part of an edge whose points are reached from one side by straight rays: from one point
+// (circular window) or from a straight front (linear window).
+//
+// Let t be the place on the edge. The distance is
+//   circular:  sigma + sqrt((t - x)^2 + y^2), the source unfolded into the edge's frame lies at
+//              distance y >= 0 from the edge's line, above x,
+//   linear:    sigma + x t, where (x, y) is the unit direction of the rays and y >= 0.
+// `from_left` tells on which side of the canonical halfedge the source lies; the rays go on to the other side.
+// A window with y = 0 lies along its rays and does not propagate.
+template <typename FT>
+struct Window
+{
+  FT b0, b1;
+  FT x, y;
+  FT sigma;
+  int origin;            // the pseudo-source: a vertex if >= 0, the source element ~origin otherwise
+  float key;             // at most the smallest distance within the window: when to propagate it
+  bool linear;
+  bool from_left;
+  bool pending;          // not propagated yet
+
+  FT distance(const FT& t) const
+  {
+    if(linear)
+      return sigma + x * t;
+    const FT d = t - x;
+    return sigma + CGAL::sqrt(d * d + y * y);
+  }
+
+  // The smallest distance between b0 and b1.
+  FT minimum() const
+  {
+    if(linear)
+      return x >= FT(0) ? distance(b0) : distance(b1);
+    return x <= b0 ? distance(b0) : x >= b1 ? distance(b1) : FT(sigma + y);
+  }
+
+  void set_key()
+  {
+    const float k = static_cast<float>(to_double(minimum()));
+    key = k - 1e-6f * std::abs(k);
+  }
+
+  // The same window seen from the other end of the edge.
+  void reverse(const FT& length)
+  {
+    std::swap(b0, b1);
+    b0 = length - b0;
+    b1 = length - b1;
+    if(linear)
+    {
+      sigma = sigma + x * length;
+      x = -x;
+    }
+    else
+      x = length - x;
+    from_left = ! from_left;
+  }
+};
+
+// Whether the rays of both windows continue each other: same origin at the same place.
+template <typename FT>
+bool have_same_source(const Window<FT>& a, const Window<FT>& b)
+{
+  if(a.origin != b.origin || a.linear != b.linear || a.from_left != b.from_left)
+    return false;
+  if(Window_tolerances<FT>::is_exact())
+    return a.x == b.x && a.y == b.y && a.sigma == b.sigma;
+  const FT scale = a.linear ? FT(1) : FT(CGAL::abs(a.b1 - a.x) + a.y);
+  const FT close = FT(Window_tolerances<FT>::source()) * scale;
+  return CGAL::abs(a.x - b.x) <= close && CGAL::abs(a.y - b.y) <= close &&
+         CGAL::abs(a.sigma - b.sigma) <= FT(Window_tolerances<FT>::source()) * (CGAL::abs(a.sigma) + scale);
+}
+
+// The places z in ]0, width[ at which the distances of two windows are equal, where z = t - l.
+// There are at most two: squaring either equation away leaves a quadratic one. Returns their number.
+template <typename FT>
+int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l, const FT& width, FT (&z)[2])
+{
+  if(v.linear && w.linear)
+  {
+    const FT slope = v.x - w.x;
+    if(slope == FT(0))
+      return 0;
+    z[0] = (w.distance(l) - v.distance(l)) / slope;
+    return z[0] > FT(0) && z[0] < width ? 1 : 0;
+  }
+
+  FT a, half_b, c;                    // a z^2 + 2 half_b z + c = 0
+  FT side0, side1;                    // a root counts if side1 z + side0 >= 0
+  if(v.linear || w.linear)
+  {
+    // sqrt(Q) = m z + k with Q = (z - p)^2 + y^2
+    const Window<FT>& line = v.linear ? v : w;
+    const Window<FT>& circle = v.linear ? w : v;
+    const FT p = circle.x - l, m = line.x, k = line.sigma + line.x * l - circle.sigma;
+    a = FT(1) - m * m;
+    half_b = -(p + m * k);
+    c = (p - k) * (p + k) + circle.y * circle.y;
+    side0 = k;
+    side1 = m;
+  }
+  else
+  {
+    // sqrt(Qv) - sqrt(Qw) = d; then Qv - Qw - d^2 = g z + h equals 2 d sqrt(Qw)
+    const FT pv = v.x - l, pw = w.x - l, d = w.sigma - v.sigma;
+    const FT g = FT(2) * (pw - pv);
+    const FT h = (pv - pw) * (pv + pw) + (v.y - w.y) * (v.y + w.y) - d * d;
+    if(d == FT(0))
+    {
+      if(g == FT(0))
+        return 0;
+      z[0] = -h / g;
+      return z[0] > FT(0) && z[0] < width ? 1 : 0;
+    }
+    const FT d2 = FT(4) * d * d;
+    a = g * g - d2;
+    half_b = g * h + d2 * pw;
+    c = h * h - d2 * (pw * pw + w.y * w.y);
+    side0 = d > FT(0) ? h : FT(-h);
+    side1 = d > FT(0) ? g : FT(-g);
+  }
+
+  const FT discriminant = half_b * half_b - a * c;
+  if(! (discriminant > FT(0)))
+    return 0;
+  const FT root = CGAL::sqrt(discriminant);
+  const FT q = half_b > FT(0) ? FT(-half_b - root) : FT(-half_b + root);
+  int n = 0;
+  const auto add = [&](const FT& r)
+  {
+    if(r > FT(0) && r < width && side1 * r + side0 >= FT(0))
+      z[n++] = r;
+  };
+  if(a != FT(0))
+    add(q / a);
+  if(q != FT(0))
+    add(c / q);
+  if(n == 2 && z[1] < z[0])
+    std::swap(z[0], z[1]);
+  return n;
+}
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H

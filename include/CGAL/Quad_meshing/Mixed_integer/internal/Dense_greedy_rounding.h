@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_DENSE_GREEDY_ROUNDING_H
+#define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_DENSE_GREEDY_ROUNDING_H
+
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
+
+#include <Eigen/Cholesky>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// Greedy rounding (thesis 5.2.2) of y in E(y) = 1/2 (y - y*)' S (y - y*): the same roundings as with a new
+// solution of the whole system after each one. With C = S^-1, fixing y_j at k moves the minimizer of the
+// others by C_ij / C_jj (k - y_j), and takes C_ij C_jl / C_jj from C_il: quadratic time per rounding.
+inline Eigen::VectorXd dense_greedy_rounding(const Eigen::LLT<Eigen::MatrixXd>& cholesky,
+                                             const Eigen::VectorXd& target)
+{
+  // Estimates that differ by less than this are tied; the lowest index wins.
+  const double tie = 1e-7;
+  const int m = static_cast<int>(target.size());
+  Eigen::MatrixXd C = cholesky.solve(Eigen::MatrixXd::Identity(m, m));
+  Eigen::VectorXd y = target;
+  // The open variables are kept in front, in C and here: C shrinks as roundings go on.
+  std::vector<int> open(m);
+  for(int i = 0; i < m; ++i)
+    open[i] = i;
+
+  for(int count = m; count > 0; --count)
+  {
+    double least = 1.;
+    for(int p = 0; p < count; ++p)
+      least = (std::min)(least, distance_to_integer(y[open[p]]));
+    int best = -1;
+    for(int p = 0; p < count; ++p)
+      if(distance_to_integer(y[open[p]]) <= least + tie && (best < 0 || open[p] < open[best]))
+        best = p;
+
+    const int last = count - 1;
+    std::swap(open[best], open[last]);
+    C.row(best).head(count).swap(C.row(last).head(count));
+    C.col(best).head(count).swap(C.col(last).head(count));
+
+    const int j = open[last];
+    const double rounded = nearest_integer(y[j]);
+    const Eigen::VectorXd c = C.col(last).head(last);
+    const double step = (rounded - y[j]) / C(last, last);
+    for(int p = 0; p < last; ++p)
+      y[open[p]] += step * c[p];
+    C.topLeftCorner(last, last).noalias() -= c * (c.transpose() / C(last, last));
+    y[j] = rounded;
+  }
+  return y;
+}
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_DENSE_GREEDY_ROUNDING_H

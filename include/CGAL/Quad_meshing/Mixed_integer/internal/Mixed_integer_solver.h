@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_MIXED_INTEGER_SOLVER_H
+#define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_MIXED_INTEGER_SOLVER_H
+
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_greedy_rounding.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_schur_complement.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The way of every problem: eliminate equality constraints, run the method on what is left, expand.
+template <typename LinearSolver>
+class Mixed_integer_solver
+{
+public:
+  Mixed_integer_solver(const Mixed_integer_problem& problem, const Solver_options& options)
+    : m_problem(problem), m_options(options)
+  {}
+
+  Mixed_integer_solution solve()
+  {
+    m_solution.integers = m_problem.number_of_integers();
+    m_solution.constraints = static_cast<int>(m_problem.equality_constraints().size());
+    m_A = m_problem.matrix();
+    m_b = m_problem.linear_term();
+    if(!is_finite())
+      return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "A coefficient is not a finite number.");
+    if(m_problem.has_inequalities() && m_options.method < BRANCH_AND_BOUND)
+      return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
+                  "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
+
+    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance);
+    m_solution.redundant_constraints = m_constraints.redundant;
+    m_solution.conflicting_constraints = m_constraints.conflicting;
+    m_reduced = reduce(m_A, m_b, m_problem.constant(), m_constraints);
+    m_solution.free_variables = m_reduced.size();
+    m_solution.free_integers = static_cast<int>(m_reduced.integers.size());
+
+    m_ran = true;
+    switch(m_options.method)
+    {
+      case RELAXED: run_relaxed(); break;
+      case DIRECT_ROUNDING: m_ran = direct_rounding<LinearSolver>(m_reduced, m_z, m_solution); break;
+      case NAIVE_ROUNDING: m_ran = naive_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options); break;
+      case GREEDY_ROUNDING: run_greedy(); break;
+      default:
+        return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM, "The method is not known.");
+    }
+    return finish();
+  }
+
+private:
+  bool is_finite() const
+  {
+    for(int j = 0; j < m_A.cols(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_A, j); it; ++it)
+        if(!std::isfinite(it.value()))
+          return false;
+    for(const Mixed_integer_problem::Linear_constraint& c : m_problem.equality_constraints())
+    {
+      if(!std::isfinite(c.rhs))
+        return false;
+      for(const std::pair<int, double>& a : c.form)
+        if(!std::isfinite(a.second))
+          return false;
+    }
+    return m_b.allFinite();
+  }
+
+  Mixed_integer_solution fail(Mixed_integer_solution::Status status, const std::string& message)
+  {
+    m_solution.status = status;
+    m_solution.message = message;
+    return m_solution;
+  }
+
+  void run_relaxed()
+  {
+    LinearSolver solver;
+    m_ran = factorize_with_shift(solver, m_reduced.A, m_solution.factorizations);
+    if(!m_ran)
+      return;
+    m_z = solver.solve(m_reduced.b);
+    m_solution.relaxed_energy = m_solution.lower_bound = m_reduced.energy(m_z);
+  }
+
+  bool has_few_integers() const
+  {
+    return static_cast<int>(m_reduced.integers.size()) <= m_options.maximum_dense_integers;
+  }
+
+  void run_greedy()
+  {
+    if(!has_few_integers())
+    {
+      m_ran = sparse_greedy_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options);
+      return;
+    }
+    LinearSolver solver;
+    Integer_schur_complement<LinearSolver> schur;
+    m_ran = schur.compute(m_reduced, solver, m_solution.factorizations);
+    if(!m_ran)
+      return;
+    m_solution.relaxed_energy = schur.relaxed_energy();
+    m_z = schur.complete(dense_greedy_rounding(schur.cholesky(), schur.target()));
+    m_solution.dense_roundings = schur.size();
+  }
+
+  Mixed_integer_solution finish()
+  {
+    if(!m_ran)
+    {
+      if(!m_options.go_further(1.))
+        return fail(Mixed_integer_solution::LIMIT_REACHED, "The visitor asked to stop.");
+      return fail(Mixed_integer_solution::NUMERICAL_FAILURE,
+                  "A factorization failed: the energy is not convex where the constraints hold.");
+    }
+    if(!m_z.allFinite())
+      return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "The linear system is numerically singular.");
+    expand();
+
+    const double epsilon = 1e-10; // keeps the gap finite for zero energies
+    const double bound = (std::isfinite(m_solution.relaxed_energy) && m_solution.conflicting_constraints.empty())
+      ? m_solution.relaxed_energy : -std::numeric_limits<double>::infinity();
+    m_solution.lower_bound = (std::max)(m_solution.lower_bound, bound);
+    m_solution.lower_bound = (std::min)(m_solution.lower_bound, m_solution.energy);
+    m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound)
+                     / (std::fabs(m_solution.energy) + epsilon);
+
+    if(!m_solution.conflicting_constraints.empty())
+    {
+      m_solution.status = Mixed_integer_solution::CONFLICTING_CONSTRAINTS;
+      m_solution.message = std::to_string(m_solution.conflicting_constraints.size())
+        + " constraints contradict the others or the integer conditions and were ignored.";
+    }
+    else if(m_options.method != RELAXED && !m_solution.all_integers_satisfied)
+    {
+      m_solution.status = Mixed_integer_solution::INFEASIBLE;
+      m_solution.message = "A constraint with real coefficients leaves an integer variable no integer value.";
+    }
+    else if(m_solution.gap <= m_options.relative_gap_tolerance)
+    {
+      m_solution.status = Mixed_integer_solution::OPTIMAL;
+      m_solution.message = "The energy is minimal.";
+    }
+    else
+    {
+      m_solution.status = Mixed_integer_solution::FEASIBLE;
+      m_solution.message = "All conditions hold; the energy is not proven minimal.";
+    }
+    return m_solution;
+  }
+
+  void expand()
+  {
+    // Dependent integers are sums of integers; this is what round-off in real coefficients may leave.
+    const double round_off = 1e-9;
+    if(m_constraints.is_identity)
+      m_solution.x = m_z;
+    else
+      m_solution.x = m_constraints.T * m_z + m_constraints.t;
+    m_solution.all_integers_satisfied = true;
+    for(int i = 0; i < m_problem.number_of_variables(); ++i)
+    {
+      if(!m_problem.is_integer(i))
+        continue;
+      double& v = m_solution.x[i];
+      const double rounded = std::floor(v + 0.5) + 0.; // no negative zeros
+      if(m_options.method != RELAXED && std::fabs(v - rounded) <= round_off * (std::max)(1., std::fabs(v)))
+        v = rounded;
+      m_solution.all_integers_satisfied = m_solution.all_integers_satisfied && v == rounded;
+    }
+    m_solution.energy = m_solution.x.dot(0.5 * (m_A * m_solution.x) - m_b) + m_problem.constant();
+  }
+
+  const Mixed_integer_problem& m_problem;
+  const Solver_options& m_options;
+  Eigen::SparseMatrix<double> m_A;
+  Eigen::VectorXd m_b;
+  Eliminated_constraints m_constraints;
+  Reduced_problem m_reduced;
+  Eigen::VectorXd m_z; // the solution over the free variables
+  bool m_ran = false;
+  Mixed_integer_solution m_solution;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_MIXED_INTEGER_SOLVER_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVER_OPTIONS_H
+#define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVER_OPTIONS_H
+
+#include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
+
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The named parameters of `solve_mixed_integer()`, read once.
+struct Solver_options
+{
+  Rounding_method method = GREEDY_ROUNDING;
+  double constraint_tolerance = 1e-6;
+  double rounding_tolerance = 1e-4;
+  int gauss_seidel_iterations = 100000;
+  int conjugate_gradient_iterations = 50;
+  bool simultaneous_rounding = true;
+  int maximum_dense_integers = 1000;
+  double maximum_running_time = std::numeric_limits<double>::infinity();
+  double maximum_number_of_nodes = 3e7;
+  double relative_gap_tolerance = 1e-9;
+  Subproblem_selection subproblem_selection = BEST_BOUND;
+  Branching_rule branching_rule = PSEUDO_COSTS;
+  // Reports progress in [0,1]; false asks to stop.
+  std::function<bool(double)> go_further = [](double) { return true; };
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVER_OPTIONS_H

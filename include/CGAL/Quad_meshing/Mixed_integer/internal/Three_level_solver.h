@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_THREE_LEVEL_SOLVER_H
+#define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_THREE_LEVEL_SOLVER_H
+
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
+
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// Keeps the minimizer of 1/2 x'Ax - x'b up to date while variables are fixed one after the other
+// (thesis 5.2.2). A and b stay as they are: fixed variables are skipped, their values enter the residuals.
+//
+// Three levels, each taken when the one before has not converged:
+// 1. Gauss-Seidel steps on a queue of the variables next to a change,
+// 2. conjugate gradient, preconditioned by the last factor restricted to the variables still free,
+// 3. a new factor, with identity rows and columns for fixed variables: the pattern is analyzed once.
+//
+// The tolerance of levels 1 and 2 is a length in units of the variables: the change that the next step,
+// of Gauss-Seidel or of the preconditioner, would still make.
+template <typename LinearSolver>
+class Three_level_solver
+{
+public:
+  enum Level { GAUSS_SEIDEL = 1, CONJUGATE_GRADIENT = 2, FACTORIZATION = 3, FAILED = 4 };
+
+  Three_level_solver(const Eigen::SparseMatrix<double>& A,
+                     const Eigen::VectorXd& b,
+                     double tolerance,
+                     int gauss_seidel_iterations,
+                     int conjugate_gradient_iterations)
+    : m_A(A)
+    , m_b(b)
+    , m_diagonal(A.diagonal())
+    , m_is_fixed(b.size(), 0)
+    , m_is_queued(b.size(), 0)
+    , m_is_changed(b.size(), 0)
+    , m_tolerance(tolerance)
+    , m_gauss_seidel_iterations(gauss_seidel_iterations)
+    , m_conjugate_gradient_iterations(conjugate_gradient_iterations)
+  {}
+
+  // Computes the minimizer with nothing fixed.
+  bool initialize(int& factorizations)
+  {
+    if(!factorize_with_shift(m_factor, m_A, factorizations))
+      return false;
+    m_x = m_factor.solve(m_b);
+    return true;
+  }
+
+  const Eigen::VectorXd& x() const { return m_x; }
+  bool is_fixed(int i) const { return m_is_fixed[i] != 0; }
+
+  // The variables whose values changed since `clear_changes()`.
+  const std::vector<int>& changes() const { return m_changes; }
+  void clear_changes()
+  {
+    for(int i : m_changes)
+      m_is_changed[i] = 0;
+    m_changes.clear();
+  }
+
+  // Fixes a variable; `update()` brings the others up to date.
+  void fix(int i, double value)
+  {
+    m_is_fixed[i] = 1;
+    if(m_x[i] == value)
+      return;
+    m_x[i] = value;
+    enqueue_neighbors(i);
+  }
+
+  // Returns the level that converged.
+  Level update(int& factorizations)
+  {
+    if(gauss_seidel())
+      return GAUSS_SEIDEL;
+    return update_globally(factorizations);
+  }
+
+  // Skips level 1.
+  Level update_globally(int& factorizations)
+  {
+    clear_queue();
+    mark_all_changed();
+    if(conjugate_gradient())
+      return CONJUGATE_GRADIENT;
+    return factorize(factorizations) ? FACTORIZATION : FAILED;
+  }
+
+  // Computes the minimizer under the conditions fixed so far, with a new factor.
+  bool factorize(int& factorizations)
+  {
+    clear_queue();
+    mark_all_changed();
+    Eigen::SparseMatrix<double> fixed = m_A;
+    Eigen::VectorXd rhs = m_b;
+    for(int j = 0; j < fixed.cols(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(fixed, j); it; ++it)
+      {
+        const int i = static_cast<int>(it.row());
+        if(i == j && m_is_fixed[i])
+          it.valueRef() = 1.;
+        else if(m_is_fixed[i] || m_is_fixed[j])
+        {
+          if(!m_is_fixed[i])
+            rhs[i] -= it.value() * m_x[j];
+          it.valueRef() = 0.;
+        }
+      }
+    for(int i = 0; i < rhs.size(); ++i)
+      if(m_is_fixed[i])
+        rhs[i] = m_x[i];
+    ++factorizations;
+    if(!m_factor.factorize(fixed) && !factorize_with_shift(m_factor, fixed, factorizations))
+      return false;
+    const Eigen::VectorXd x = m_factor.solve(rhs);
+    for(int i = 0; i < rhs.size(); ++i)
+      if(!m_is_fixed[i])
+        m_x[i] = x[i];
+    return true;
+  }
+
+private:
+  void mark_changed(int i)
+  {
+    if(!m_is_changed[i])
+    {
+      m_is_changed[i] = 1;
+      m_changes.push_back(i);
+    }
+  }
+
+  void mark_all_changed()
+  {
+    for(int i = 0; i < m_x.size(); ++i)
+      mark_changed(i);
+  }
+
+  void enqueue_neighbors(int i)
+  {
+    for(Eigen::SparseMatrix<double>::InnerIterator it(m_A, i); it; ++it)
+    {
+      const int j = static_cast<int>(it.row());
+      if(!m_is_fixed[j] && !m_is_queued[j])
+      {
+        m_is_queued[j] = 1;
+        m_queue.push_back(j);
+      }
+    }
+  }
+
+  void clear_queue()
+  {
+    for(; m_head < m_queue.size(); ++m_head)
+      m_is_queued[m_queue[m_head]] = 0;
+    m_queue.clear();
+    m_head = 0;
+  }
+
+  double residual(int i) const
+  {
+    double r = m_b[i];
+    for(Eigen::SparseMatrix<double>::InnerIterator it(m_A, i); it; ++it)
+      r -= it.value() * m_x[it.row()];
+    return r;
+  }
+
+  bool gauss_seidel()
+  {
+    for(int iteration = 0; m_head < m_queue.size(); ++iteration)
+    {
+      if(iteration >= m_gauss_seidel_iterations)
+        return false;
+      const int i = m_queue[m_head++];
+      m_is_queued[i] = 0;
+      if(m_is_fixed[i] || !(m_diagonal[i] > 0.))
+        continue;
+      const double step = residual(i) / m_diagonal[i];
+      if(std::fabs(step) <= m_tolerance)
+        continue;
+      m_x[i] += step;
+      mark_changed(i);
+      enqueue_neighbors(i);
+    }
+    clear_queue();
+    return true;
+  }
+
+  void restrict_to_free(Eigen::VectorXd& v) const
+  {
+    for(int i = 0; i < v.size(); ++i)
+      if(m_is_fixed[i])
+        v[i] = 0.;
+  }
+
+  bool conjugate_gradient()
+  {
+    if(m_conjugate_gradient_iterations <= 0)
+      return false;
+    Eigen::VectorXd r = m_b - m_A * m_x;
+    restrict_to_free(r);
+    Eigen::VectorXd p, Ap;
+    double rho = 0.;
+    for(int iteration = 0;; ++iteration)
+    {
+      Eigen::VectorXd z = m_factor.solve(r);
+      restrict_to_free(z);
+      if(z.size() == 0 || z.cwiseAbs().maxCoeff() <= m_tolerance)
+        return true;
+      if(iteration >= m_conjugate_gradient_iterations)
+        return false;
+      const double next_rho = r.dot(z);
+      if(!(next_rho > 0.))
+        return false;
+      if(iteration == 0)
+        p = z;
+      else
+        p = z + (next_rho / rho) * p;
+      rho = next_rho;
+      Ap.noalias() = m_A * p;
+      restrict_to_free(Ap);
+      const double curvature = p.dot(Ap);
+      if(!(curvature > 0.))
+        return false;
+      m_x += (rho / curvature) * p;
+      r -= (rho / curvature) * Ap;
+    }
+  }
+
+  const Eigen::SparseMatrix<double>& m_A;
+  const Eigen::VectorXd& m_b;
+  const Eigen::VectorXd m_diagonal;
+  LinearSolver m_factor;
+  Eigen::VectorXd m_x;
+  std::vector<char> m_is_fixed, m_is_queued, m_is_changed;
+  std::vector<int> m_queue, m_changes;
+  std::size_t m_head = 0;
+  double m_tolerance;
+  int m_gauss_seidel_iterations, m_conjugate_gradient_iterations;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_THREE_LEVEL_SOLVER_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H
+#define CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Cgal_linear_solver.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Mixed_integer_solver.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <chrono>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+\ingroup PkgQuadMeshingMixedIntegerRef
+
+\brief minimizes a convex quadratic energy over real and integer variables with linear constraints.
+
+Equality constraints are eliminated first: each takes one variable away, dependent ones drop out, and those
+that contradict others or the integer conditions are reported and ignored. Constraints over integers with
+integer coefficients are met exactly, whatever their greatest common divisors, and all integers of the
+solution are exact. What is left is solved by the method chosen. The input is never changed, no
+exception is thrown and nothing is printed.
+
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param problem the energy, the variables and the constraints
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{rounding_method}
+    \cgalParamDescription{the way to meet the integer conditions}
+    \cgalParamType{`Rounding_method`}
+    \cgalParamDefault{`GREEDY_ROUNDING`, or `BRANCH_AND_BOUND` if there are inequality constraints or bounds}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{the solver of symmetric positive definite systems; only its type matters}
+    \cgalParamType{`Sparse_cholesky` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
+    \cgalParamDefault{`Sparse_cholesky`}
+  \cgalParamNEnd
+  \cgalParamNBegin{constraint_tolerance}
+    \cgalParamDescription{An equality constraint depends on others if, with them, its coefficients cancel up
+                          to this fraction of the largest, and contradicts them if its right-hand
+                          side then differs by more than this (relative to 1, its largest coefficient and its
+                          right-hand side).}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`1e-6`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_dense_integers}
+    \cgalParamDescription{Up to so many free integers, greedy rounding and the lattice work on the dense Schur
+                          complement over the integers; beyond it, greedy rounding uses its three levels.}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`1000`}
+  \cgalParamNEnd
+  \cgalParamNBegin{rounding_tolerance}
+    \cgalParamDescription{the accuracy to which the iterative levels of greedy rounding update the variables, in
+                          units of the variables}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`1e-4`}
+  \cgalParamNEnd
+  \cgalParamNBegin{gauss_seidel_iterations}
+    \cgalParamDescription{the number of local Gauss-Seidel steps after a rounding before the next level takes over;
+                          0 switches the level off}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`100000`}
+  \cgalParamNEnd
+  \cgalParamNBegin{conjugate_gradient_iterations}
+    \cgalParamDescription{the number of steps of the preconditioned conjugate gradient before a new factorization;
+                          0 switches the level off}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`50`}
+  \cgalParamNEnd
+  \cgalParamNBegin{simultaneous_rounding}
+    \cgalParamDescription{whether greedy rounding rounds several integers at once as long as their deviations
+                          from integers sum up to less than one half}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_nodes}
+    \cgalParamDescription{the number of nodes (enumeration of the lattice) or subproblems (branch-and-bound)
+                          after which the best solution so far is returned}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`3e7`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{the number of seconds that the search for integers may take after the factorization.
+                          Results that meet this limit depend on the machine.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
+  \cgalParamNBegin{relative_gap_tolerance}
+    \cgalParamDescription{The search ends when energy and lower bound differ by less than this fraction of the energy.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`1e-9`}
+  \cgalParamNEnd
+  \cgalParamNBegin{subproblem_selection}
+    \cgalParamDescription{the order in which branch-and-bound takes up its subproblems}
+    \cgalParamType{`Subproblem_selection`}
+    \cgalParamDefault{`BEST_BOUND`}
+  \cgalParamNEnd
+  \cgalParamNBegin{branching_rule}
+    \cgalParamDescription{the variable on which branch-and-bound splits}
+    \cgalParamType{`Branching_rule`}
+    \cgalParamDefault{`PSEUDO_COSTS`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{told about the progress, and asked whether to go on}
+    \cgalParamType{a class like `Default_visitor`, by `std::ref`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the solution, what is known about its quality, and what happened
+*/
+template <typename NamedParameters = parameters::Default_named_parameters>
+Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t,
+                                                       NamedParameters,
+                                                       Sparse_cholesky>::type Solver_parameter;
+  typedef typename internal::Linear_solver_of<Solver_parameter>::type Linear_solver;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t,
+                                                       NamedParameters,
+                                                       Default_visitor>::reference Visitor_reference;
+
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor),
+                                               default_visitor);
+
+  internal::Solver_options options;
+  options.method = choose_parameter(get_parameter(np, internal_np::rounding_method),
+                                    problem.has_inequalities() ? BRANCH_AND_BOUND : GREEDY_ROUNDING);
+  options.constraint_tolerance = choose_parameter(get_parameter(np, internal_np::constraint_tolerance),
+                                                  options.constraint_tolerance);
+  options.rounding_tolerance = choose_parameter(get_parameter(np, internal_np::rounding_tolerance),
+                                                options.rounding_tolerance);
+  options.gauss_seidel_iterations = choose_parameter(get_parameter(np, internal_np::gauss_seidel_iterations),
+                                                     options.gauss_seidel_iterations);
+  options.conjugate_gradient_iterations = choose_parameter(
+    get_parameter(np, internal_np::conjugate_gradient_iterations), options.conjugate_gradient_iterations);
+  options.simultaneous_rounding = choose_parameter(get_parameter(np, internal_np::simultaneous_rounding),
+                                                   options.simultaneous_rounding);
+  options.maximum_dense_integers = choose_parameter(get_parameter(np, internal_np::maximum_dense_integers),
+                                                    options.maximum_dense_integers);
+  options.maximum_number_of_nodes = choose_parameter(get_parameter(np, internal_np::maximum_number_of_nodes),
+                                                     options.maximum_number_of_nodes);
+  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                                  options.maximum_running_time);
+  options.relative_gap_tolerance = choose_parameter(get_parameter(np, internal_np::relative_gap_tolerance),
+                                                    options.relative_gap_tolerance);
+  options.subproblem_selection = choose_parameter(get_parameter(np, internal_np::subproblem_selection),
+                                                  options.subproblem_selection);
+  options.branching_rule = choose_parameter(get_parameter(np, internal_np::branching_rule),
+                                            options.branching_rule);
+  options.go_further = [&visitor](double completed)
+  {
+    visitor.progress(completed);
+    return visitor.go_further();
+  };
+
+  const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  visitor.on_stage_begin("mixed-integer solution");
+  internal::Mixed_integer_solver<Linear_solver> solver(problem, options);
+  Mixed_integer_solution solution = solver.solve();
+  visitor.on_stage_end("mixed-integer solution");
+  solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return solution;
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_INTEGER_GRID_SOLVER_H
+#define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_INTEGER_GRID_SOLVER_H
+
+#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Combed_charts.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Integer_reduction.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Map_optimization.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Orientation_energy.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Separations.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// From a cross field in flat arrays to an exact integer-grid map (thesis, Section 8.4).
+class Integer_grid_solver
+{
+public:
+  typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
+
+  Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
+                      const std::vector<int>& period_jump, const std::vector<bool>& is_singular,
+                      const std::vector<bool>& is_aligned, const std::vector<double>& sizing)
+    : mesh(mesh), charts(mesh, angle, period_jump, is_singular), coordinates(charts, is_singular, is_aligned),
+      faces(charts, sizing)
+  {}
+
+  int number_of_integers() const
+  {
+    return static_cast<int>(std::count(coordinates.is_integer.begin(), coordinates.is_integer.end(), true));
+  }
+
+  // The map without integer conditions, all fold-overs removed: where things lie before they are rounded.
+  // Returns the number of faces that stay folded.
+  int solve_seamless(double anisotropy)
+  {
+    const std::vector<double> weight(mesh.number_of_faces(), 1.);
+    const Orientation_energy energy(coordinates, faces, weight, anisotropy);
+    if(!reduction.compute(energy.A, energy.b, coordinates.is_integer))
+      return mesh.number_of_faces();
+    relaxed = reduction.complete(reduction.S.ldlt().solve(reduction.c));
+    Map_optimization optimization(coordinates, faces);
+    return static_cast<int>(optimization.untangle(relaxed, std::vector<bool>(relaxed.size(), false)).size());
+  }
+
+  // Chooses the integers: the least energy that the method finds, then again with a demand on every two things that
+  // were rounded onto each other, until none are. Returns the number of separations that could not be kept.
+  int round(Rounding_method method, const std::vector<bool>& is_aligned)
+  {
+    const Separations separations(coordinates, grid_points(), is_aligned, relaxed);
+    std::vector<int> number(coordinates.number_of_variables(), -1);
+    for(std::size_t i = 0; i < reduction.integers.size(); ++i)
+      number[reduction.integers[i]] = static_cast<int>(i);
+
+    Mixed_integer_problem problem(static_cast<int>(reduction.integers.size()));
+    problem.set_energy(reduction.S.sparseView(), reduction.c);
+    for(std::size_t i = 0; i < reduction.integers.size(); ++i)
+      problem.set_integer(static_cast<int>(i));
+    std::vector<bool> demanded(separations.list.size(), false);
+    int broken = 0;
+    for(int round = 0; round < 20; ++round)
+    {
+      const Mixed_integer_solution s = solve_mixed_integer(problem, parameters::rounding_method(method));
+      x = reduction.complete(s.x);
+      broken = 0;
+      bool added = false;
+      for(std::size_t i = 0; i < separations.list.size(); ++i)
+      {
+        const Separations::Separation& separation = separations.list[i];
+        if(separation.holds(x))
+          continue;
+        ++broken;
+        if(demanded[i])
+          continue;
+        demanded[i] = added = true;
+        const int c = separation.dominant();
+        Mixed_integer_problem::Linear_form form;
+        for(const Integer_form::Term& t : separation.offset[c].terms)
+          form.emplace_back(number[t.first], t.second);
+        problem.add_equality_constraint(form, separation.wanted[c] > 0 ? 1 : -1);
+      }
+      std::cerr << "[separations " << separations.list.size() << " broken " << broken << " conflicting " << s.conflicting_constraints.size() << "] ";
+      if(!added)
+        break;
+    }
+    return broken;
+  }
+
+  // The vertices that lie on grid points whatever the real variables are: singular ones, and those where aligned
+  // edges of both directions meet.
+  std::vector<bool> grid_points() const
+  {
+    std::vector<bool> result(mesh.number_of_vertices(), false);
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      if(charts.first_wedge[v] == charts.first_wedge[v + 1])
+        continue;
+      result[v] = true;
+      for(const auto& form : coordinates.coordinates[charts.first_wedge[v]])
+        for(const auto& t : form)
+          if(!coordinates.is_integer[t.first])
+            result[v] = false;
+    }
+    return result;
+  }
+
+  std::vector<int> untangle()
+  {
+    Map_optimization optimization(coordinates, faces);
+    return optimization.untangle(x, coordinates.is_integer);
+  }
+
+  void improve(int steps)
+  {
+    Map_optimization optimization(coordinates, faces);
+    optimization.improve(x, coordinates.is_integer, steps);
+  }
+
+  // Rounds the real variables to multiples of a power of two that is so small that no sum of a corner's terms and no
+  // difference of corners rounds: from then on all conditions on the map hold exactly in doubles.
+  void make_exact()
+  {
+    double largest = 1;
+    for(int w = 0; w < charts.number_of_wedges(); ++w)
+      for(int c = 0; c < 2; ++c)
+      {
+        double sum = 0;
+        for(const auto& t : coordinates.coordinates[w][c])
+          sum += std::abs(t.second * x[t.first]);
+        largest = (std::max)(largest, sum);
+      }
+    const int significant_bits = 48;
+    const double unit = std::ldexp(1., std::ilogb(largest) + 1 - significant_bits);
+    for(int i = 0; i < coordinates.number_of_variables(); ++i)
+      if(!coordinates.is_integer[i])
+        x[i] = std::round(x[i] / unit) * unit;
+  }
+
+  Point_2 corner(int f, int k) const
+  {
+    const int w = charts.wedge_of_corner[3 * f + k];
+    return Point_2(coordinates.value(w, 0, x), coordinates.value(w, 1, x));
+  }
+
+  // The faces whose images are not positively oriented, decided exactly.
+  std::vector<int> folded_faces() const
+  {
+    std::vector<int> folded;
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+      if(orientation(corner(f, 0), corner(f, 1), corner(f, 2)) != LEFT_TURN)
+        folded.push_back(f);
+    return folded;
+  }
+
+  const Indexed_triangle_mesh& mesh;
+  const Combed_charts charts;
+  const Seamless_coordinates coordinates;
+  const Face_gradients faces;
+  Eigen::VectorXd relaxed, x;
+  Integer_reduction reduction;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_INTEGER_GRID_SOLVER_H

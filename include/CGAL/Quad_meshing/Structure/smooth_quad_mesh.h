@@ -1,0 +1,331 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
+#define CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Structure/internal/Quad_smoother.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingStructureGrp
+ *
+ * \brief tells what `smooth_quad_mesh()` did.
+ *
+ * A quad is *folded* if it is not strictly convex (its scaled Jacobian is not positive) or if its
+ * normal is opposed to the normal of the reference surface below it.
+ */
+struct Quad_mesh_smoothing_result
+{
+  /// outcome of the smoothing
+  enum Status {
+    smoothed,             ///< the mesh has been smoothed
+    not_a_quad_mesh,      ///< the mesh has faces that are not quads; it has not been touched
+    empty_reference,      ///< the reference has no triangle of positive area; the mesh has not been touched
+    stopped               ///< the visitor asked for an early end; the mesh is as it was
+  };
+
+  Status status = smoothed;                 ///< the outcome
+  std::string message;                      ///< the outcome as a sentence
+  std::size_t folded_quads_before = 0;      ///< number of folded quads in the input
+  std::size_t folded_quads_after = 0;       ///< number of folded quads in the output
+  Quad_mesh_quality quality_before;         ///< measures of the input
+  Quad_mesh_quality quality_after;          ///< measures of the output
+  unsigned int iterations = 0;              ///< number of sweeps over the vertices
+};
+
+namespace internal {
+
+// The smoothing on flat arrays. `reference_points` with `feature_segments` and `border_segments` are
+// the curves along which the vertices of features and borders slide; where one kind is empty, those
+// of the quad mesh itself are taken.
+template <typename Visitor>
+Quad_mesh_smoothing_result
+smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Indexed_triangle_mesh reference,
+                         std::vector<std::array<int, 2> > feature_segments,
+                         std::vector<std::array<int, 2> > border_segments,
+                         const std::vector<char>& is_fixed_vertex, unsigned int number_of_iterations,
+                         Visitor& visitor)
+{
+  typedef Quad_mesh_smoothing_result Result;
+  Result result;
+  result.quality_before = result.quality_after = quality_of_quad_mesh(m);
+  if(m.number_of_faces() == 0)
+  {
+    result.message = "The mesh has no faces.";
+    return result;
+  }
+
+  std::vector<std::array<int, 2> > own_features, own_borders;
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+    if(m.is_border(h))
+      own_borders.push_back({{ m.source(h), m.target(h) }});
+    else if(m.is_feature[h] && m.edge(h) == h)
+      own_features.push_back({{ m.source(h), m.target(h) }});
+  Reference_curves features = feature_segments.empty() ? Reference_curves(m.points, own_features)
+                                                       : Reference_curves(reference.points, feature_segments);
+  Reference_curves borders = border_segments.empty() ? Reference_curves(m.points, own_borders)
+                                                     : Reference_curves(reference.points, border_segments);
+  Reference_surface surface(std::move(reference));
+  if(surface.empty())
+  {
+    result.status = Result::empty_reference;
+    result.message = "The reference surface has no triangle of positive area.";
+    return result;
+  }
+
+  const std::vector<Indexed_quad_mesh::Point_3> input_points = m.points;
+  visitor.on_stage_begin("smoothing");
+  Quad_smoother smoother(m, surface, features, borders, is_fixed_vertex);
+  smoother.project();
+  std::vector<int> folded = smoother.folded_quads();
+  result.folded_quads_before = folded.size();
+  if(!folded.empty())
+    smoother.unfold(folded);
+
+  smoother.start_sweeps();
+  bool moving = true;
+  for(; moving && result.iterations < number_of_iterations && visitor.go_further(); ++result.iterations)
+  {
+    moving = smoother.sweep();
+    visitor.progress(double(result.iterations + 1) / number_of_iterations);
+  }
+  result.folded_quads_after = smoother.folded_quads().size();
+  visitor.on_stage_end("smoothing");
+
+  if(!visitor.go_further())
+  {
+    m.points = input_points;
+    result.status = Result::stopped;
+    result.folded_quads_after = result.folded_quads_before;
+    result.message = "The smoothing was stopped; the mesh is as it was.";
+    return result;
+  }
+  result.quality_after = quality_of_quad_mesh(m);
+  result.message = result.folded_quads_after == 0
+    ? "The mesh has been smoothed; no quad is folded."
+    : "The mesh has been smoothed; number of folded quads: " + std::to_string(result.folded_quads_after) + ".";
+  return result;
+}
+
+// Reads the named parameters of the quad mesh, calls `smooth(copy, is_fixed_vertex, iterations,
+// visitor)` on its flat copy, and writes the points back.
+template <typename QuadMesh, typename NamedParameters, typename Smooth>
+Quad_mesh_smoothing_result
+smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const Smooth& smooth)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  typedef boost::graph_traits<QuadMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
+  typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
+
+  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_property_map(vertex_point, qm));
+  const auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                    Static_boolean_property_map<edge_descriptor, false>());
+  const auto vcm = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                    Static_boolean_property_map<vertex_descriptor, false>());
+  const unsigned int number_of_iterations =
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 20);
+  Default_visitor default_visitor;
+  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  Quad_mesh_smoothing_result result;
+  if(!is_quad_mesh(qm))
+  {
+    result.status = Quad_mesh_smoothing_result::not_a_quad_mesh;
+    result.message = "The mesh has faces that are not quads.";
+    return result;
+  }
+
+  Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, ecm);
+  std::vector<char> is_fixed_vertex;
+  for(vertex_descriptor v : copy.vertices)
+    is_fixed_vertex.push_back(get(vcm, v) ? 1 : 0);
+
+  const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
+  result = smooth(copy.mesh, is_fixed_vertex, number_of_iterations, visitor);
+
+  for(std::size_t i = 0; i < copy.vertices.size(); ++i)
+    if(copy.mesh.points[i] != before[i])
+      put(vpm, copy.vertices[i],
+          Point(copy.mesh.points[i].x(), copy.mesh.points[i].y(), copy.mesh.points[i].z()));
+  return result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgQuadMeshingStructureGrp
+ *
+ * \brief smooths a quad mesh on a reference surface, so that its quads become more like squares and
+ * their sizes more even.
+ *
+ * Only positions change. Each vertex moves within its realm: a vertex on no constrained edge on the
+ * reference surface, a vertex between two constrained edges along the feature curves of the
+ * reference, a vertex between two boundary edges along its boundary. All other vertices on
+ * constrained edges stay where they are: those where one, three or more constrained or boundary
+ * edges meet, those at a corner of the curve (where the reference curve turns by more than 50
+ * degrees or branches), and those that the user fixes.
+ *
+ * The energy of each corner is the ratio of the squared lengths of its sides to its area, least for
+ * a square corner, with a smaller part that asks for the mean area of the neighbourhood; it is
+ * minimized vertex by vertex. A quad that is strictly convex stays so and is not turned over, because
+ * steps that would do so are not taken. If the input has folded quads, these and their neighbourhood
+ * are first unfolded with the energy of \cgalCite{cgal:gkkdc-foldover-21}. That needs no valid start and
+ * mostly succeeds, but is not guaranteed to.
+ *
+ * \tparam QuadMesh a model of `FaceListGraph`
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ * \tparam NamedParametersQM a sequence of named parameters
+ * \tparam NamedParametersTM a sequence of named parameters
+ *
+ * \param qm the quad mesh to smooth
+ * \param tm the reference surface, a triangle mesh
+ * \param np_qm an optional sequence of named parameters for `qm` among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `qm`}
+ *     \cgalParamType{a class model of `ReadWritePropertyMap` with
+ *                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, qm)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map that tells the feature edges of `qm`. The boundary needs not be marked.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a constant map: no edge is constrained}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_is_constrained_map}
+ *     \cgalParamDescription{a property map that tells the vertices of `qm` that must not move}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a constant map: no vertex is constrained}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the largest number of sweeps; the smoothing ends sooner when all vertices rest}
+ *     \cgalParamType{unsigned int}
+ *     \cgalParamDefault{`20`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor with the interface of `Default_visitor`, passed as `std::ref(visitor)`}
+ *     \cgalParamDefault{`Default_visitor`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np_tm an optional sequence of named parameters for `tm` among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map that tells the feature edges of `tm`, along which the
+ *                           vertices of constrained edges of `qm` slide}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a constant map: no edge is constrained. The vertices of constrained edges of
+ *                       `qm` then slide along the polylines that these edges form in the input.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return what was done, with the measures before and after
+ *
+ * \pre `CGAL::is_triangle_mesh(tm)`, and no vertex of `tm` or `qm` is non-manifold
+ */
+template <typename QuadMesh, typename TriangleMesh,
+          typename NamedParametersQM = parameters::Default_named_parameters,
+          typename NamedParametersTM = parameters::Default_named_parameters>
+Quad_mesh_smoothing_result
+smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
+                 const NamedParametersQM& np_qm = parameters::default_values(),
+                 const NamedParametersTM& np_tm = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+
+  CGAL_precondition(is_triangle_mesh(tm));
+  const auto vpm = choose_parameter(get_parameter(np_tm, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tm));
+  const auto ecm = choose_parameter(get_parameter(np_tm, internal_np::edge_is_constrained),
+                                    Static_boolean_property_map<edge_descriptor, false>());
+
+  auto smooth = [&](internal::Indexed_quad_mesh& m, const std::vector<char>& is_fixed_vertex,
+                    unsigned int number_of_iterations, auto& visitor)
+  {
+    // the index maps of a mesh that has garbage are not consecutive
+    const auto vim = get(CGAL::dynamic_vertex_property_t<int>(), tm);
+    const auto fim = get(CGAL::dynamic_face_property_t<int>(), tm);
+    int i = 0;
+    for(auto v : vertices(tm))
+      put(vim, v, i++);
+    i = 0;
+    for(auto f : faces(tm))
+      put(fim, f, i++);
+
+    std::vector<std::array<int, 2> > feature_segments, border_segments;
+    for(auto e : edges(tm))
+      if(is_border(e, tm))
+        border_segments.push_back({{ get(vim, source(e, tm)), get(vim, target(e, tm)) }});
+      else if(get(ecm, e))
+        feature_segments.push_back({{ get(vim, source(e, tm)), get(vim, target(e, tm)) }});
+    return internal::smooth_indexed_quad_mesh(m, internal::make_indexed_triangle_mesh(tm, vpm, vim, fim),
+                                              std::move(feature_segments), std::move(border_segments),
+                                              is_fixed_vertex, number_of_iterations, visitor);
+  };
+  return internal::smooth_quad_mesh_with(qm, np_qm, smooth);
+}
+
+/*!
+ * \ingroup PkgQuadMeshingStructureGrp
+ *
+ * \brief smooths a quad mesh on the surface that its quads, cut into two triangles each, form in the
+ * input.
+ *
+ * Otherwise as above.
+ */
+template <typename QuadMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Quad_mesh_smoothing_result
+smooth_quad_mesh(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  auto smooth = [&](internal::Indexed_quad_mesh& m, const std::vector<char>& is_fixed_vertex,
+                    unsigned int number_of_iterations, auto& visitor)
+  {
+    return internal::smooth_indexed_quad_mesh(m, internal::triangulated_quad_mesh(m), {}, {},
+                                              is_fixed_vertex, number_of_iterations, visitor);
+  };
+  return internal::smooth_quad_mesh_with(qm, np, smooth);
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
