@@ -142,8 +142,10 @@ inline Mapped_mesh triangulated(const Coarse_mesh& coarse, const Options& o)
       Edge_points& on_edge = edge[key];
       auto on_square = [&](int s)
       {
-        const double t = static_cast<double>(a < b ? s : n - s) / n;
-        return CGAL::ORIGIN + ((1 - t) * (square[i] - CGAL::ORIGIN) + t * (square[(i + 1) % 4] - CGAL::ORIGIN));
+        const double t = static_cast<double>(a < b ? s : n - s) / o.denominator;
+        const Point_2& p = square[i];
+        const Point_2& q = square[(i + 1) % 4];
+        return Point_2(p.x() + t * CGAL::sign(q.x() - p.x()), p.y() + t * CGAL::sign(q.y() - p.y()));
       };
       if(is_new)
       {

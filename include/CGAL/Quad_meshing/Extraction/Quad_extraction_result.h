@@ -59,9 +59,11 @@ struct Quad_extraction_result
 
   /// \name The Map
   /// @{
-  std::vector<std::size_t> folded_faces;    ///< triangles whose image has negative orientation
-  std::vector<std::size_t> degenerate_faces; ///< triangles whose image has no area
+  std::vector<std::size_t> folded_faces;    ///< triangles whose image has negative orientation, and could not be unfolded
+  std::vector<std::size_t> degenerate_faces; ///< triangles whose image has no area, and could not be unfolded
+  std::size_t unfolded_faces = 0;           ///< triangles whose image became positive when vertices were moved
   std::size_t inexact_transitions = 0;      ///< edges over which no automorphism of the grid maps one chart to the other exactly
+  std::size_t inconsistent_transitions = 0; ///< those of them over which it could not be made exact
   double largest_coordinate_change = 0;     ///< how far a coordinate was moved to make the transitions exact
   /// @}
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_FIELDS_FEATURE_EDGES_H
 #define CGAL_QUAD_MESHING_FIELDS_FEATURE_EDGES_H
 
+#include <CGAL/Quad_meshing/Fields/internal/Crease_graph.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -49,10 +50,13 @@ struct Feature_edges_result
 \brief marks the sharp edges of a triangle mesh that are worth a chain of quad edges.
 
 An edge is sharp if the normals of its two faces differ by at least `angle_in_degrees`. On scanned surfaces this
-finds hundreds of short creases that are noise, and each of them would force the quads around it. So two
-kinds of pieces are dropped: components of the graph of sharp edges whose total length is below
-`4 * target_edge_length`, and then, repeatedly, branches that end freely and are shorter than `1.5 * target_edge_length`. A closed
-loop is no branch. Border edges are not marked; they serve as ends that hold a branch.
+finds hundreds of short creases that are noise, and each of them would force the quads around it. With `l` for the target
+edge length, the following pieces of the graph of sharp edges are dropped, repeatedly:
+- branches that end freely and are shorter than `1.5 l`;
+- components with a free end that are shorter than `25 l`, components without one (closed curves) that are shorter than `5 l`;
+- components that zigzag: the mean ratio of chord to arc over pieces of arc length `2 l` is below 0.85.
+
+Border edges are not marked; a crease that ends on the border does not end freely.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsFeatureMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
@@ -78,11 +82,8 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
 
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
-
-  const double component_length_factor = 4, branch_length_factor = 1.5;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(vertex_point, tm));
@@ -102,116 +103,40 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
                                               parameters::vertex_point_map(vpm).geom_traits(gt));
 
   auto vim = get_initialized_vertex_index_map(tm, np);
-  std::vector<std::vector<halfedge_descriptor> > leaving(vertices(tm).size());
-  std::vector<bool> on_border(vertices(tm).size(), false);
-  auto length = [&](halfedge_descriptor h)
+  internal::Crease_graph creases(vertices(tm).size());
+  std::vector<edge_descriptor> sharp_edges;
+  for(vertex_descriptor v : vertices(tm))
   {
-    return CGAL::approximate_sqrt(to_double(squared_distance(get(vpm, source(h, tm)), get(vpm, target(h, tm)))));
-  };
+    const auto& p = get(vpm, v);
+    creases.points[get(vim, v)] = internal::Crease_graph::Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+  }
   for(edge_descriptor e : edges(tm))
   {
-    const halfedge_descriptor h = halfedge(e, tm);
+    const std::size_t a = get(vim, source(e, tm)), b = get(vim, target(e, tm));
     if(is_border(e, tm))
-    {
-      put(is_sharp, e, false);
-      on_border[get(vim, source(h, tm))] = on_border[get(vim, target(h, tm))] = true;
-    }
+      creases.is_held[a] = creases.is_held[b] = true;
     else if(get(is_sharp, e))
     {
-      leaving[get(vim, source(h, tm))].push_back(h);
-      leaving[get(vim, target(h, tm))].push_back(opposite(h, tm));
+      creases.add_edge(static_cast<int>(a), static_cast<int>(b));
+      sharp_edges.push_back(e);
     }
   }
-
-  auto drop = [&](const std::vector<halfedge_descriptor>& piece)
+  result.number_of_dropped_pieces = creases.drop_noise(target_edge_length);
+  for(std::size_t i = 0; i < sharp_edges.size(); ++i)
   {
-    ++result.number_of_dropped_pieces;
-    for(halfedge_descriptor h : piece)
+    const double length = creases.length(static_cast<int>(i));
+    if(creases.is_kept[i])
     {
-      put(is_sharp, edge(h, tm), false);
-      ++result.number_of_dropped_edges;
-      result.dropped_length += length(h);
-    }
-  };
-
-  // components
-  std::vector<bool> seen(vertices(tm).size(), false);
-  for(vertex_descriptor s : vertices(tm))
-  {
-    if(seen[get(vim, s)] || leaving[get(vim, s)].empty())
-      continue;
-    std::vector<vertex_descriptor> stack(1, s);
-    std::vector<halfedge_descriptor> piece;
-    double total = 0;
-    seen[get(vim, s)] = true;
-    while(!stack.empty())
-    {
-      const vertex_descriptor v = stack.back();
-      stack.pop_back();
-      for(halfedge_descriptor h : leaving[get(vim, v)])
-      {
-        if(h == halfedge(edge(h, tm), tm)) // count every edge once
-        {
-          piece.push_back(h);
-          total += length(h);
-        }
-        if(!seen[get(vim, target(h, tm))])
-        {
-          seen[get(vim, target(h, tm))] = true;
-          stack.push_back(target(h, tm));
-        }
-      }
-    }
-    if(total < component_length_factor * target_edge_length)
-      drop(piece);
-  }
-
-  // dangling branches; dropping one can leave another
-  auto degree_of = [&](vertex_descriptor v)
-  {
-    int d = 0;
-    for(halfedge_descriptor h : leaving[get(vim, v)])
-      d += get(is_sharp, edge(h, tm));
-    return d;
-  };
-  bool changed = target_edge_length > 0;
-  while(changed)
-  {
-    changed = false;
-    for(vertex_descriptor s : vertices(tm))
-    {
-      if(on_border[get(vim, s)] || degree_of(s) != 1)
-        continue;
-      std::vector<halfedge_descriptor> piece;
-      double total = 0;
-      vertex_descriptor v = s;
-      do
-      {
-        for(halfedge_descriptor h : leaving[get(vim, v)])
-          if(get(is_sharp, edge(h, tm)) && (piece.empty() || h != opposite(piece.back(), tm)))
-          {
-            piece.push_back(h);
-            total += length(h);
-            v = target(h, tm);
-            break;
-          }
-      }
-      while(degree_of(v) == 2 && !on_border[get(vim, v)]);
-      if(degree_of(v) > 1 && total < branch_length_factor * target_edge_length)
-      {
-        drop(piece);
-        changed = true;
-      }
-    }
-  }
-
-  for(edge_descriptor e : edges(tm))
-    if(get(is_sharp, e))
-    {
-      put(is_feature, e, true);
+      put(is_feature, sharp_edges[i], true);
       ++result.number_of_edges;
-      result.length += length(halfedge(e, tm));
+      result.length += length;
     }
+    else
+    {
+      ++result.number_of_dropped_edges;
+      result.dropped_length += length;
+    }
+  }
   return result;
 }
 

@@ -60,6 +60,7 @@ public:
     m_solver.reset(new Solver);
 #ifdef CGAL_QUAD_MESHING_USE_CHOLMOD
     m_solver->cholmod().print = 0;
+    m_solver->cholmod().final_ll = 1; // LDL' would go on with negative pivots
 #if CHOLMOD_MAIN_VERSION >= 4
     m_solver->cholmod().nthreads_max = 1;
 #endif
@@ -124,8 +125,7 @@ private:
 #ifdef CGAL_QUAD_MESHING_USE_CHOLMOD
   typedef Eigen::CholmodDecomposition<Matrix, Eigen::Lower> Solver;
 
-  // The supernodal factorization fails by itself on a matrix that is not positive definite; the
-  // simplicial one goes on with negative pivots, whose determinant or its logarithm then is no number.
+  // LL' fails by itself on a matrix that is not positive definite.
   bool has_positive_pivots() const { return true; }
 #else
   typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Solver;

@@ -12,13 +12,16 @@
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph.h>
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph_repair.h>
+#include <CGAL/Quad_meshing/Extraction/internal/Grid_map_repair.h>
 #include <CGAL/Quad_meshing/Extraction/internal/read_grid_map.h>
 #include <CGAL/Quad_meshing/Extraction/internal/write_grid_graph.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +46,9 @@ inline Indexed_triangle_mesh::Point_3 position(const Indexed_triangle_mesh& m, c
 
 // Faces of more sides are holes rather than faces.
 const int largest_degree_kept = 16;
+
+// How often the triangles that are not positive are visited to unfold them; chains of them need several visits.
+const int unfolding_sweeps = 20;
 
 // The stages of the extraction (Ebke, Bommes, Campen, Kobbelt 2013): make the map consistent, find the grid points, trace
 // the grid lines between them, walk around the faces, repair what fold-overs left.
@@ -99,12 +105,7 @@ private:
     if(!defect.empty())
       return fail(defect);
 
-    m_result.inexact_transitions = make_transitions(m_map).size();
-    compute_signs(m_map);
-    for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
-      if(m_map.sign[f] <= 0)
-        (m_map.sign[f] < 0 ? m_result.folded_faces : m_result.degenerate_faces).push_back(f);
-
+    make_map_consistent();
     if(!go_further(0.1))
       return stop();
     const Grid_nodes nodes(m_map);
@@ -117,6 +118,34 @@ private:
     repair(nodes);
     m_node_of_vertex = make_vertices(m_graph, m_vertex_of_ray);
     return summarize();
+  }
+
+  void make_map_consistent()
+  {
+    const std::vector<int> inexact = make_transitions(m_map);
+    Grid_map_repair map_repair(m_map);
+    m_result.inexact_transitions = inexact.size();
+    if(!inexact.empty())
+    {
+      map_repair.make_transitions_exact(inexact);
+      m_result.inconsistent_transitions = map_repair.number_of_inexact_transitions();
+      m_result.largest_coordinate_change = map_repair.largest_change;
+    }
+
+    compute_signs(m_map);
+    const std::ptrdiff_t bad = number_of_bad_faces();
+    if(bad > 0)
+      map_repair.undo_fold_overs(unfolding_sweeps);
+    m_result.moved_vertices = map_repair.moved_vertices;
+    m_result.unfolded_faces = bad - number_of_bad_faces();
+    for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
+      if(m_map.sign[f] <= 0)
+        (m_map.sign[f] < 0 ? m_result.folded_faces : m_result.degenerate_faces).push_back(f);
+  }
+
+  std::ptrdiff_t number_of_bad_faces() const
+  {
+    return std::count_if(m_map.sign.begin(), m_map.sign.end(), [](signed char s) { return s <= 0; });
   }
 
   bool stop()
@@ -219,7 +248,7 @@ private:
       has_vertex[m_node_of_vertex[v]] = true;
     }
 
-    std::vector<int> neighbors;
+    std::vector<std::pair<int, int> > neighbors;
     for(int i = 0; i < m_graph.number_of_nodes(); ++i)
     {
       neighbors.clear();
@@ -230,11 +259,10 @@ private:
           return;
         const int w = m_vertex_of_ray[m_graph.opposite[r]];
         if(v < w)
-          neighbors.push_back(w);
+          neighbors.push_back(std::make_pair(v, w));
         else if(v == w && r < m_graph.opposite[r])
           ++m_result.multiple_edges;
       });
-      // A vertex is one of few at its node, and its neighbors are few, unless it is a pole.
       std::sort(neighbors.begin(), neighbors.end());
       m_result.multiple_edges += neighbors.end() - std::unique(neighbors.begin(), neighbors.end());
     }
@@ -257,9 +285,11 @@ private:
     if(is_repaired())
     {
       m_result.status = Quad_extraction_status::REPAIRED;
-      m_result.message = "the map is no integer-grid map: " + std::to_string(m_result.folded_faces.size())
-        + " triangles folded over, " + std::to_string(m_result.degenerate_faces.size()) + " without area, "
-        + std::to_string(m_result.inexact_transitions) + " transitions not exact; the mesh has "
+      m_result.message = "the map is no integer-grid map: "
+        + std::to_string(m_result.folded_faces.size()) + " triangles are folded over, "
+        + std::to_string(m_result.degenerate_faces.size()) + " have no area, "
+        + std::to_string(m_result.unfolded_faces) + " were unfolded, "
+        + std::to_string(m_result.inconsistent_transitions) + " transitions are inconsistent; the mesh has "
         + std::to_string(m_result.quads) + " quads and " + std::to_string(m_result.other_faces) + " other faces";
     }
     else if(m_result.multiple_edges > 0)
@@ -279,8 +309,9 @@ private:
 
   bool is_repaired() const
   {
-    return !m_result.folded_faces.empty() || !m_result.degenerate_faces.empty() || m_result.inexact_transitions > 0
-        || m_result.removed_edges > 0 || m_result.other_faces > 0 || m_result.dropped_faces > 0;
+    return !m_result.folded_faces.empty() || !m_result.degenerate_faces.empty() || m_result.unfolded_faces > 0
+        || m_result.inconsistent_transitions > 0 || m_result.removed_edges > 0 || m_result.cancelled_crossings > 0
+        || m_result.other_faces > 0 || m_result.dropped_faces > 0;
   }
 };
 

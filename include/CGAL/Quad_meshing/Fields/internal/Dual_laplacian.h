@@ -121,6 +121,10 @@ public:
   // The vector y_e.
   Sparse_vector half_column(int e)
   {
+    // The vector decays like the field of a dipole on its way up the tree; what is dropped changes the
+    // entries of P, which are at most one, by a few times its size.
+    static const double negligible = getenv("NEG")?atof(getenv("NEG")):1e-4;
+
     const auto& l = m_cholesky.matrixL().nestedExpression();
     Sparse_vector y;
     int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
@@ -137,10 +141,13 @@ public:
       const int end = column_end(l, column);
       const double x = m_work[column] / l.valuePtr()[begin];
       m_work[column] = 0.;
-      y.index.push_back(column);
-      y.value.push_back(x);
-      for(int p = begin + 1; p < end; ++p)
-        m_work[l.innerIndexPtr()[p]] -= x * l.valuePtr()[p];
+      if(std::abs(x) > negligible)
+      {
+        y.index.push_back(column);
+        y.value.push_back(x);
+        for(int p = begin + 1; p < end; ++p)
+          m_work[l.innerIndexPtr()[p]] -= x * l.valuePtr()[p];
+      }
       const int parent = begin + 1 < end ? l.innerIndexPtr()[begin + 1] : -1;
       if(i == column) i = parent;
       if(j == column) j = parent;

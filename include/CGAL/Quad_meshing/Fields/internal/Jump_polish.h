@@ -44,9 +44,10 @@ public:
   template <typename Go_further>
   void operator()(Cross_field& field, const Go_further& go_further)
   {
-    // The residuals of far candidates are only brought up to date between rounds, so a round may
-    // leave something for the next; a handful is usual.
-    const int maximum_rounds = 30;
+    // The residuals of far candidates are only brought up to date between rounds, and every jump is
+    // changed at most once per round (what is neglected of P could otherwise make a cycle of changes look
+    // like an endless gain), so a round may leave something for the next; a handful is usual.
+    const int maximum_rounds = 100;
 
     double energy = m_problem.energy(field) + m_quads.cost();
     for(int round = 0; round < maximum_rounds && go_further(); ++round)
@@ -77,6 +78,7 @@ private:
     int edge = -1;
     double residual = 0;
     double self = 1;                              // P_ee
+    bool changed = false;                         // in this round
     std::vector<std::pair<int, double> > others;  // candidates around and the entries of P
   };
 
@@ -100,7 +102,10 @@ private:
         m_half_column.push_back(m_laplacian.half_column(e));
       }
     for(Candidate& c : m_candidates)
+    {
       c.residual = m_problem.residual(c.edge, field);
+      c.changed = false;
+    }
 
     m_dense.resize(m_laplacian.number_of_unknowns(), 0.);
     for(int i = first_new; i < static_cast<int>(m_candidates.size()); ++i)
@@ -246,6 +251,8 @@ private:
   double single_change(const Change& a)
   {
     const int e = m_candidates[a.candidate].edge;
+    if(m_candidates[a.candidate].changed)
+      return 0;
     const double change = energy_change(a);
     return (change < 0 || m_quads.is_costly(e)) ? change + m_quads.cost_change(e, a.by) : change;
   }
@@ -253,6 +260,8 @@ private:
   double pair_change(const std::pair<Change, Change>& p, double entry)
   {
     const int e = m_candidates[p.first.candidate].edge, e2 = m_candidates[p.second.candidate].edge;
+    if(m_candidates[p.first.candidate].changed || m_candidates[p.second.candidate].changed)
+      return 0;
     const double change = energy_change(p.first) + energy_change(p.second)
                         + 2 * quarter_turn * quarter_turn * entry * p.first.by * p.second.by;
     return (change < 0 || m_quads.is_costly(e) || m_quads.is_costly(e2))
@@ -270,6 +279,7 @@ private:
   void apply(const Change& a, Cross_field& field)
   {
     Candidate& c = m_candidates[a.candidate];
+    c.changed = true;
     field.period_jump[c.edge] += a.by;
     m_quads.change_jump(c.edge, a.by);
     c.residual += quarter_turn * a.by * c.self;

@@ -29,9 +29,12 @@ struct Window_tolerances
   // Window ends this close to each other (or to a vertex) are the same place; narrower windows are dropped.
   static double place() { return is_exact() ? 0 : 1e-11; }
 
-  // A gap up to this width between a window and its neighbour on the edge is closed: it comes from
-  // rounding or from a saddle so shallow that it counts as flat. The distance changes by the square of it.
+  // A gap between a window and its neighbour on the edge (or a vertex) is closed if its width, measured
+  // across the rays, is up to this part of the edge: it comes from rounding or from a saddle so
+  // shallow that it counts as flat. The distance changes by the square of it. Rays that graze the edge
+  // make the gap wider along the edge; it never may exceed `wide_gap`.
   static double gap() { return is_exact() ? 0 : 1e-9; }
+  static double wide_gap() { return is_exact() ? 0 : 1e-4; }
 
   // Two distances that differ by less are equal, and the window that was there first stays.
   static double tie() { return is_exact() ? 0 : 1e-14; }
@@ -67,6 +70,16 @@ struct Window
       return sigma + x * t;
     const FT d = t - x;
     return sigma + CGAL::sqrt(d * d + y * y);
+  }
+
+  // Whether a gap of this width at the end b of the window may be closed, see Window_tolerances.
+  bool closes_gap(const FT& width, const FT& b, const FT& length) const
+  {
+    typedef Window_tolerances<FT> Tol;
+    if(! (width <= FT(Tol::wide_gap()) * length))
+      return false;
+    return linear ? width * y <= FT(Tol::gap()) * length
+                  : width * y <= FT(Tol::gap()) * length * (CGAL::abs(b - x) + y);
   }
 
   // The smallest distance between b0 and b1.

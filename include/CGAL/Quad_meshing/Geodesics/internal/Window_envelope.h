@@ -89,7 +89,7 @@ private:
   {
     if(Tol::is_exact())
       return;
-    const FT place = FT(Tol::place()) * length, gap = FT(Tol::gap()) * length;
+    const FT place = FT(Tol::place()) * length;
 
     if(i < list.size() && list[i].b0 < w.b0)
     {
@@ -101,7 +101,7 @@ private:
     else
     {
       const FT left = i > 0 ? list[i - 1].b1 : FT(0);
-      if(w.b0 - left <= gap)
+      if(w.closes_gap(w.b0 - left, w.b0, length))
         w.b0 = left;
     }
 
@@ -115,7 +115,7 @@ private:
     else
     {
       const FT right = j < list.size() ? list[j].b0 : length;
-      if(right - w.b1 <= gap)
+      if(w.closes_gap(right - w.b1, w.b1, length))
         w.b1 = right;
     }
   }

@@ -368,8 +368,8 @@ private:
 
     // the ray to the third vertex crosses h at t
     const FT t = w.linear ? FT(rx - ry * w.x / w.y) : FT(w.x + (rx - w.x) * w.y / (ry + w.y));
-    const FT place = FT(Tol::place()) * l, gap = FT(Tol::gap()) * l;
-    if(t >= w.b0 - gap && t <= w.b1 + gap)
+    const FT place = FT(Tol::place()) * l;
+    if((t >= w.b0 || w.closes_gap(w.b0 - t, w.b0, l)) && (t <= w.b1 || w.closes_gap(t - w.b1, w.b1, l)))
     {
       const FT bx = w.linear ? w.x : FT(rx - w.x), by = w.linear ? w.y : FT(ry + w.y);
       const FT d = w.linear ? FT(w.sigma + rx * bx + ry * by) : FT(w.sigma + CGAL::sqrt(bx * bx + by * by));

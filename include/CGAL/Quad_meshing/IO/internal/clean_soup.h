@@ -146,42 +146,99 @@ inline std::size_t drop_fins(Polygon_soup& soup)
   return dropped;
 }
 
+// Makes polygons that visit each of their vertices once: repeated neighbors become one, polygons that
+// pass through a vertex again are split there, and those with fewer than three vertices are dropped.
+// Returns how many were dropped.
+inline std::size_t make_polygons_simple(Polygon_soup& soup)
+{
+  typedef Polygon_soup::Polygon Polygon;
+
+  auto drop_repetitions = [](Polygon& polygon)
+  {
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while(polygon.size() > 1 && polygon.front() == polygon.back())
+      polygon.pop_back();
+  };
+
+  std::size_t dropped = 0, kept = 0;
+  std::vector<Polygon> split_off;
+  for(std::size_t f = 0; f < soup.polygons.size() + split_off.size(); ++f)
+  {
+    Polygon polygon = std::move(f < soup.polygons.size() ? soup.polygons[f] : split_off[f - soup.polygons.size()]);
+    drop_repetitions(polygon);
+    for(std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const auto begin = polygon.begin() + i;
+      const auto again = std::find(begin + 1, polygon.end(), polygon[i]);
+      if(again == polygon.end())
+        continue;
+      split_off.emplace_back(begin, again);
+      polygon.erase(begin, again);
+      drop_repetitions(polygon);
+      --i;
+    }
+    if(polygon.size() < 3)
+      ++dropped;
+    else if(f < soup.polygons.size())
+      soup.polygons[kept++] = std::move(polygon);
+    else
+      split_off[f - soup.polygons.size()] = std::move(polygon);
+  }
+
+  soup.polygons.resize(kept);
+  for(Polygon& polygon : split_off)
+    if(polygon.size() >= 3)
+      soup.polygons.push_back(std::move(polygon));
+  return dropped;
+}
+
+// Merges vertices at the same place, unless that harms. Returns how many polygons lost their shape by that.
+inline std::size_t merge_vertices(Polygon_soup& soup, std::vector<std::string>& repairs)
+{
+  namespace PMP = Polygon_mesh_processing;
+
+  {
+    std::vector<Polygon_soup::Point_3> points = soup.points;
+    std::vector<Polygon_soup::Polygon> no_polygons;
+    if(PMP::merge_duplicate_points_in_polygon_soup(points, no_polygons) == 0)
+      return 0;
+  }
+
+  // Merging is for gaps that the file format or a cut left, and for edges without length. Where sheets
+  // that touch are told apart by their vertices alone it would destroy the surface, and where surfaces
+  // meet in points only it changes nothing.
+  Polygon_soup merged = soup;
+  const std::size_t number_merged = PMP::merge_duplicate_points_in_polygon_soup(merged.points, merged.polygons);
+  const std::size_t dropped = make_polygons_simple(merged);
+  const Soup_fit before = fit_of_soup(soup), after = fit_of_soup(merged);
+  if(after.non_manifold_edges > before.non_manifold_edges ||
+     (after.border_edges >= before.border_edges && dropped == 0))
+  {
+    repairs.push_back(count_of(number_merged, "vertex", "vertices") +
+                      " at the place of another one kept apart, as the faces fit together without merging");
+    return 0;
+  }
+  repairs.push_back(count_of(number_merged, "vertex", "vertices") + " at the place of another one merged");
+  soup = std::move(merged);
+  return dropped;
+}
+
 // Merges vertices at the same place, drops vertices without a face, faces that are no polygons or
 // are there twice, and fins. Says in `repairs` what it did.
 inline void clean_soup(Polygon_soup& soup, std::vector<std::string>& repairs)
 {
   namespace PMP = Polygon_mesh_processing;
 
-  // Merging is for gaps that the file format or a cut left. Where sheets that touch are told apart by
-  // their vertices alone it would destroy the surface, and where only vertices touch it changes nothing.
-  Polygon_soup merged = soup;
-  const std::size_t number_merged = PMP::merge_duplicate_points_in_polygon_soup(merged.points, merged.polygons);
-  if(number_merged > 0)
-  {
-    const Soup_fit before = fit_of_soup(soup), after = fit_of_soup(merged);
-    if(after.non_manifold_edges > before.non_manifold_edges || after.border_edges >= before.border_edges)
-      repairs.push_back(count_of(number_merged, "vertex", "vertices") +
-                        " at the place of another one kept apart, as the faces fit together without merging");
-    else
-    {
-      repairs.push_back(count_of(number_merged, "vertex", "vertices") + " at the place of another one merged");
-      soup = std::move(merged);
-    }
-  }
-
-  const std::size_t number_of_faces = soup.polygons.size();
-  PMP::internal::simplify_polygons_in_polygon_soup(soup.points, soup.polygons);
-  PMP::internal::split_pinched_polygons_in_polygon_soup(soup.points, soup.polygons);
-  PMP::internal::remove_invalid_polygons_in_polygon_soup(soup.points, soup.polygons);
+  std::size_t dropped = make_polygons_simple(soup);
+  dropped += merge_vertices(soup, repairs);
   const std::size_t fins = drop_fins(soup);
-  PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons);
+  dropped += PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons);
   const std::size_t isolated = PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
 
   if(fins > 0)
     repairs.push_back(count_of(fins, "face", "faces") + " of fins without volume dropped");
-  if(soup.polygons.size() + fins < number_of_faces)
-    repairs.push_back(count_of(number_of_faces - fins - soup.polygons.size(), "face", "faces") +
-                      " without a shape or equal to another one dropped");
+  if(dropped > 0)
+    repairs.push_back(count_of(dropped, "face", "faces") + " without a shape or equal to another one dropped");
   if(isolated > 0)
     repairs.push_back(count_of(isolated, "vertex", "vertices") + " without a face dropped");
 }

@@ -14,11 +14,14 @@
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_greedy_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_schur_complement.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
 
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -61,6 +64,7 @@ public:
       case DIRECT_ROUNDING: m_ran = direct_rounding<LinearSolver>(m_reduced, m_z, m_solution); break;
       case NAIVE_ROUNDING: m_ran = naive_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options); break;
       case GREEDY_ROUNDING: run_greedy(); break;
+      case LATTICE_ROUNDING: run_lattice(); break;
       default:
         return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM, "The method is not known.");
     }
@@ -124,6 +128,36 @@ private:
     m_solution.dense_roundings = schur.size();
   }
 
+  void run_lattice()
+  {
+    if(!has_few_integers())
+    {
+      run_greedy();
+      return;
+    }
+    LinearSolver solver;
+    Integer_schur_complement<LinearSolver> schur;
+    m_ran = schur.compute(m_reduced, solver, m_solution.factorizations);
+    if(!m_ran)
+      return;
+    m_solution.relaxed_energy = schur.relaxed_energy();
+
+    const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    const std::function<bool()> go_further = [&]()
+    {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      return seconds < m_options.maximum_running_time && m_options.go_further(0.5);
+    };
+    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
+    const Eigen::MatrixXd R = schur.cholesky().matrixU();
+    Lattice_rounding lattice(R, schur.target(), m_options.maximum_number_of_nodes, go_further);
+    const Lattice_result result = lattice.run(greedy, true);
+    m_z = schur.complete(result.y);
+    m_solution.nodes = result.nodes;
+    m_is_proven = result.is_optimal;
+    m_solution.lower_bound = schur.relaxed_energy() + result.cost_bound;
+  }
+
   Mixed_integer_solution finish()
   {
     if(!m_ran)
@@ -141,7 +175,8 @@ private:
     const double bound = (std::isfinite(m_solution.relaxed_energy) && m_solution.conflicting_constraints.empty())
       ? m_solution.relaxed_energy : -std::numeric_limits<double>::infinity();
     m_solution.lower_bound = (std::max)(m_solution.lower_bound, bound);
-    m_solution.lower_bound = (std::min)(m_solution.lower_bound, m_solution.energy);
+    if(m_is_proven || m_solution.lower_bound > m_solution.energy)
+      m_solution.lower_bound = m_solution.energy;
     m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound)
                      / (std::fabs(m_solution.energy) + epsilon);
 
@@ -156,7 +191,7 @@ private:
       m_solution.status = Mixed_integer_solution::INFEASIBLE;
       m_solution.message = "A constraint with real coefficients leaves an integer variable no integer value.";
     }
-    else if(m_solution.gap <= m_options.relative_gap_tolerance)
+    else if(m_is_proven || m_solution.gap <= m_options.relative_gap_tolerance)
     {
       m_solution.status = Mixed_integer_solution::OPTIMAL;
       m_solution.message = "The energy is minimal.";
@@ -199,6 +234,7 @@ private:
   Reduced_problem m_reduced;
   Eigen::VectorXd m_z; // the solution over the free variables
   bool m_ran = false;
+  bool m_is_proven = false; // the method has proven its solution optimal
   Mixed_integer_solution m_solution;
 };
 

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_CREASE_GRAPH_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_CREASE_GRAPH_H
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The graph of sharp edges, from which what is noise at the scale of the quads is dropped.
+class Crease_graph
+{
+public:
+  typedef Simple_cartesian<double>::Point_3 Point_3;
+
+  std::vector<Point_3> points;  // per vertex
+  std::vector<bool> is_held;    // per vertex: a crease that ends here does not end freely
+  std::vector<bool> is_kept;    // per edge
+
+  explicit Crease_graph(std::size_t number_of_vertices)
+    : points(number_of_vertices), is_held(number_of_vertices, false), incident(number_of_vertices)
+  {}
+
+  void add_edge(int v, int w)
+  {
+    const int e = static_cast<int>(ends.size());
+    ends.push_back({{ v, w }});
+    is_kept.push_back(true);
+    incident[v].push_back(e);
+    incident[w].push_back(e);
+  }
+
+  double length(int e) const
+  {
+    return CGAL::approximate_sqrt((points[ends[e][0]] - points[ends[e][1]]).squared_length());
+  }
+
+  // Drops branches and components until nothing changes; returns the number of pieces that were dropped.
+  std::size_t drop_noise(double quad_edge_length)
+  {
+    if(!(quad_edge_length > 0))
+      return 0;
+    const double shortest_branch = 1.5 * quad_edge_length;
+    const double shortest_open = 25 * quad_edge_length, shortest_closed = 5 * quad_edge_length;
+    const double least_straightness = 0.85;
+    std::size_t dropped = 0;
+    while(drop_short_branches(shortest_branch, dropped))
+      ;
+    std::vector<bool> seen(points.size(), false);
+    for(int s = 0; s < static_cast<int>(points.size()); ++s)
+    {
+      if(seen[s] || degree(s) == 0)
+        continue;
+      const std::vector<int> component = component_of(s, seen);
+      double total = 0;
+      bool ends_freely = false;
+      for(int e : component)
+      {
+        total += length(e);
+        for(int v : ends[e])
+          ends_freely = ends_freely || (degree(v) == 1 && !is_held[v]);
+      }
+      if(total < (ends_freely ? shortest_open : shortest_closed) ||
+         straightness(component, 2 * quad_edge_length) < least_straightness)
+      {
+        for(int e : component)
+          is_kept[e] = false;
+        ++dropped;
+      }
+    }
+    return dropped;
+  }
+
+private:
+  std::vector<std::array<int, 2> > ends;   // per edge
+  std::vector<std::vector<int> > incident; // per vertex: all edges, kept or not
+
+  int other_end(int e, int v) const { return ends[e][0] == v ? ends[e][1] : ends[e][0]; }
+
+  int degree(int v) const
+  {
+    int d = 0;
+    for(int e : incident[v])
+      d += is_kept[e];
+    return d;
+  }
+
+  // The edges from v, over e, to the next vertex that is no inner vertex of a chain, or back to v.
+  std::vector<int> chain(int v, int e) const
+  {
+    const int start = v;
+    std::vector<int> result(1, e);
+    v = other_end(e, v);
+    while(v != start && degree(v) == 2 && !is_held[v])
+    {
+      for(int f : incident[v])
+        if(is_kept[f] && f != result.back())
+        {
+          result.push_back(f);
+          break;
+        }
+      v = other_end(result.back(), v);
+    }
+    return result;
+  }
+
+  bool drop_short_branches(double shortest, std::size_t& dropped)
+  {
+    bool changed = false;
+    for(int v = 0; v < static_cast<int>(points.size()); ++v)
+    {
+      if(degree(v) != 1 || is_held[v])
+        continue;
+      int first = -1;
+      for(int e : incident[v])
+        if(is_kept[e])
+          first = e;
+      const std::vector<int> branch = chain(v, first);
+      double total = 0;
+      int end = v;
+      for(int e : branch)
+      {
+        total += length(e);
+        end = other_end(e, end);
+      }
+      if(total >= shortest || (degree(end) == 1 && !is_held[end]))
+        continue; // long, or a component of its own
+      for(int e : branch)
+        is_kept[e] = false;
+      ++dropped;
+      changed = true;
+    }
+    return changed;
+  }
+
+  std::vector<int> component_of(int s, std::vector<bool>& seen) const
+  {
+    std::vector<int> edges, stack(1, s);
+    seen[s] = true;
+    while(!stack.empty())
+    {
+      const int v = stack.back();
+      stack.pop_back();
+      for(int e : incident[v])
+      {
+        if(!is_kept[e])
+          continue;
+        if(ends[e][0] == v)
+          edges.push_back(e); // once, from its first end
+        const int w = other_end(e, v);
+        if(!seen[w])
+        {
+          seen[w] = true;
+          stack.push_back(w);
+        }
+      }
+    }
+    return edges;
+  }
+
+  // The mean, over pieces of the chains of a component with the given arc length, of chord to arc.
+  double straightness(const std::vector<int>& component, double arc) const
+  {
+    double sum = 0;
+    int count = 0;
+    auto measure = [&](int start, const std::vector<int>& edges)
+    {
+      std::vector<int> path(1, start);
+      std::vector<double> at(1, 0.);
+      for(int e : edges)
+      {
+        at.push_back(at.back() + length(e));
+        path.push_back(other_end(e, path.back()));
+      }
+      std::size_t j = 0;
+      for(std::size_t i = 0; i + 1 < path.size(); ++i)
+      {
+        while(j + 1 < path.size() && at[j] < at[i] + arc)
+          ++j;
+        if(i > 0 && at[j] < at[i] + arc)
+          break; // the last pieces are shorter; one piece of a short chain counts
+        if(at[j] > at[i])
+        {
+          sum += CGAL::approximate_sqrt((points[path[j]] - points[path[i]]).squared_length()) / (at[j] - at[i]);
+          ++count;
+        }
+      }
+    };
+    bool has_nodes = false;
+    for(int e : component)
+      for(int v : ends[e])
+        if(degree(v) != 2 || is_held[v])
+        {
+          has_nodes = true;
+          measure(v, chain(v, e));
+        }
+    if(!has_nodes)
+      measure(ends[component.front()][0], chain(ends[component.front()][0], component.front()));
+    return count > 0 ? sum / count : 1.;
+  }
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_CREASE_GRAPH_H
