@@ -33,6 +33,7 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/IO/Flat_json.h>
+#include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 
 #include <CGAL/boost/graph/IO/OBJ.h>
@@ -242,6 +243,15 @@ Mesh read_mesh(const std::string& filename)
   return tm;
 }
 
+// Reads points and polygons as they are in the file.
+template <typename Point>
+void read_soup(const std::string& filename, std::vector<Point>& points, std::vector<std::vector<std::size_t> >& polygons)
+{
+  const CGAL::Quad_meshing::Mesh_reading_result result = CGAL::Quad_meshing::read_polygon_soup(filename, points, polygons);
+  if(!result)
+    throw Unusable_input(filename + ": " + result.message);
+}
+
 inline std::ofstream open_output(const std::string& filename)
 {
   errno = 0;
@@ -252,12 +262,9 @@ inline std::ofstream open_output(const std::string& filename)
   return out;
 }
 
-// Throws unless `write_mesh()` can write to a file of that name: to be asked before a long computation.
-inline void check_mesh_output(const std::string& filename)
+// Throws unless a file of that name can be written: to be asked before a long computation.
+inline void check_output(const std::string& filename)
 {
-  const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
-  if(extension != "off" && extension != "obj" && extension != "ply")
-    throw Unusable_input(filename + ": the format '" + extension + "' is not one of off, obj, ply");
   // Appending opens the file without harm to what it may hold.
   errno = 0;
   const bool existed = static_cast<bool>(std::ifstream(filename));
@@ -265,6 +272,15 @@ inline void check_mesh_output(const std::string& filename)
     throw Unusable_input(filename + ": cannot be written: " + (errno != 0 ? std::strerror(errno) : "unknown reason"));
   if(!existed)
     std::remove(filename.c_str());
+}
+
+// The same for `write_mesh()`, which must know the format.
+inline void check_mesh_output(const std::string& filename)
+{
+  const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
+  if(extension != "off" && extension != "obj" && extension != "ply")
+    throw Unusable_input(filename + ": the format '" + extension + "' is not one of off, obj, ply");
+  check_output(filename);
 }
 
 // Writes a mesh in the format that the extension names, with numbers that read back as they are.

@@ -69,8 +69,9 @@ struct Mapped_mesh
 {
   Mesh mesh;
   Uv_map uv;
+  bool complete = true;      // all triangles could be added
   Mapped_mesh() : uv(mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first) {}
-  Mapped_mesh(const Mapped_mesh& m) : mesh(m.mesh), uv(mesh.property_map<Mesh::Halfedge_index, Point_2>("h:uv").first) {}
+  Mapped_mesh(const Mapped_mesh& m) : mesh(m.mesh), uv(mesh.property_map<Mesh::Halfedge_index, Point_2>("h:uv").first), complete(m.complete) {}
   Mapped_mesh& operator=(const Mapped_mesh&) = delete;
 };
 
@@ -95,8 +96,12 @@ inline void shuffle_charts(Mapped_mesh& m, unsigned int seed)
 // Adds a triangle whose corners have the given images.
 inline void add_triangle(Mapped_mesh& m, const std::array<Mesh::Vertex_index, 3>& v, const std::array<Point_2, 3>& uv)
 {
-  const Mesh::Face_index f = m.mesh.add_face(v[0], v[1], v[2]);
-  assert(f != Mesh::null_face());
+  // A point that appears twice in one coarse quad may get joined to itself.
+  const bool simple = v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
+  const Mesh::Face_index f = simple ? m.mesh.add_face(v[0], v[1], v[2]) : Mesh::null_face();
+  m.complete &= f != Mesh::null_face();
+  if(f == Mesh::null_face())
+    return;
   for(auto h : CGAL::halfedges_around_face(m.mesh.halfedge(f), m.mesh))
     for(int i = 0; i < 3; ++i)
       if(m.mesh.target(h) == v[i])

@@ -8,13 +8,17 @@
 
 #include "extraction_meshes.h"
 #include "quad_mesh_checks.h"
+#include "test_meshes.h"
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -66,7 +70,7 @@ void check_exact(const Coarse_mesh& coarse, const Options& o, bool simple = true
 {
   const Mapped_mesh m = triangulated(coarse, o);
   const Mesh_figures tf = figures(m.mesh);
-  assert(tf.consistent && tf.vertex_manifold);
+  assert(m.complete && tf.consistent && tf.vertex_manifold);
 
   Mesh qm;
   Location_map locations = qm.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
@@ -151,9 +155,395 @@ void test_exact_maps()
     }
 }
 
+
+// Cones of one and two quads: the mesh is right as a halfedge data structure.
+void test_small_valences()
+{
+  auto complete = [](const Coarse_mesh& c, int k)
+  {
+    Options o;
+    o.k = k;
+    o.inner_points = 200;
+    o.edge_points = 8;
+    o.denominator = 64;
+    while(!triangulated(c, o).complete)
+      ++o.seed;
+    return triangulated(c, o);
+  };
+  for(int k : { 1, 2, 3 })
+  {
+    const Mapped_mesh one = complete(coarse_cone(1), k), two = complete(coarse_cone(2), k);
+    Mesh q1, q2;
+    const Result r1 = CGAL::Quad_meshing::extract_quad_mesh(one.mesh, one.uv, q1);
+    const Result r2 = CGAL::Quad_meshing::extract_quad_mesh(two.mesh, two.uv, q2);
+    const Mesh_figures f1 = figures(q1), f2 = figures(q2);
+    // The quad at the tip of the first cone meets itself; the two at the tip of the second one share two edges.
+    assert(f1.consistent && f1.vertex_manifold && f1.quads == std::size_t(k * k) && f1.faces == f1.quads);
+    assert(f1.inner_valences.at(1) == 1 && f1.euler() == 1);
+    assert(r1.status == (f1.multiple_edges > 0 ? Status::NOT_SIMPLE : Status::VALID));
+    assert(f2.is_valid() && f2.quads == std::size_t(2 * k * k) && f2.inner_valences.at(2) == 1 && f2.euler() == 1);
+    assert(r2.status == (f2.multiple_edges > 0 ? Status::NOT_SIMPLE : Status::VALID));
+    assert(r1.multiple_edges == f1.multiple_edges && r2.multiple_edges == f2.multiple_edges);
+  }
+}
+
+// A convex polygon, triangulated over random points, under an affine map; the border does not run along isolines.
+// The result has exactly the grid cells that lie inside.
+void test_unaligned_borders()
+{
+  typedef CGAL::Delaunay_triangulation_2<Kernel> Delaunay;
+  std::mt19937 rng(7);
+  for(int run = 0; run < 60; ++run)
+  {
+    // Determinant at least 1/4, entries multiples of 1/8.
+    const double a = (rng() % 33) / 8. - 2, b = (rng() % 33) / 8. - 2, c = (rng() % 33) / 8. - 2, d = (rng() % 33) / 8. - 2;
+    if(a * d - b * c < 0.25)
+      continue;
+    auto map = [&](const Point_2& p) { return Point_2(a * p.x() + b * p.y() + 0.5, c * p.x() + d * p.y() - 0.25); };
+    std::vector<Point_2> border = { Point_2(0, 0), Point_2(5, -1), Point_2(7, 3), Point_2(4, 6), Point_2(-1, 4) };
+    Delaunay dt(border.begin(), border.end());
+    for(int i = 0; i < (run % 5) * 20; ++i)
+    {
+      const Point_2 p(rng() % 64 / 8., rng() % 64 / 8.);
+      bool inside = true;
+      for(std::size_t j = 0; j < border.size(); ++j)
+        inside &= CGAL::left_turn(border[j], border[(j + 1) % border.size()], p);
+      if(inside)
+        dt.insert(p);
+    }
+    Mapped_mesh m;
+    std::map<Point_2, Mesh::Vertex_index> id;
+    for(auto v = dt.finite_vertices_begin(); v != dt.finite_vertices_end(); ++v)
+      id[v->point()] = m.mesh.add_vertex(Point_3(v->point().x(), v->point().y(), 0));
+    for(auto f = dt.finite_faces_begin(); f != dt.finite_faces_end(); ++f)
+      add_triangle(m, {{ id[f->vertex(0)->point()], id[f->vertex(1)->point()], id[f->vertex(2)->point()] }},
+                      {{ map(f->vertex(0)->point()), map(f->vertex(1)->point()), map(f->vertex(2)->point()) }});
+    shuffle_charts(m, run);
+
+    std::size_t expected = 0;
+    for(int x = -60; x < 60; ++x)
+      for(int y = -60; y < 60; ++y)
+      {
+        bool inside = true;
+        for(int i = 0; i < 4; ++i)
+          for(std::size_t j = 0; j < border.size(); ++j)
+            inside &= !CGAL::right_turn(map(border[j]), map(border[(j + 1) % border.size()]),
+                                        Point_2(x + (i & 1), y + (i >> 1)));
+        expected += inside;
+      }
+    Mesh qm;
+    const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm);
+    const Mesh_figures f = figures(qm);
+    assert(qm.number_of_faces() == expected);
+    assert(r.status == (expected > 0 ? Status::VALID : Status::FAILED));
+    if(expected > 0)
+      assert(f.is_valid() && r.edges_cut_by_border > 0 && r.uncovered_area > 0);
+  }
+}
+
+// Moved vertices that leave all triangles positive change nothing but places.
+void test_perturbation()
+{
+  std::mt19937 rng(3);
+  Options o;
+  o.k = 6; o.inner_points = 60; o.edge_points = 5; o.denominator = 4; o.random_charts = false;
+  Mapped_mesh m = triangulated(coarse_plane(2, 2, [](int, int) { return true; }), o);
+  // One chart for all, by the places of the vertices.
+  for(auto h : m.mesh.halfedges())
+    m.uv[h] = Point_2(o.k * m.mesh.point(m.mesh.target(h)).x(), o.k * m.mesh.point(m.mesh.target(h)).y());
+  std::size_t moved = 0;
+  for(int round = 0; round < 3; ++round)
+    for(auto v : m.mesh.vertices())
+    {
+      if(m.mesh.is_border(v))
+        continue;
+      const Point_2 old = m.uv[m.mesh.halfedge(v)];
+      const Point_2 p(old.x() + int(rng() % 33 - 16) / 64., old.y() + int(rng() % 33 - 16) / 64.);
+      bool fine = true;
+      for(auto h : CGAL::halfedges_around_target(v, m.mesh))
+        fine &= CGAL::left_turn(p, m.uv[m.mesh.next(h)], m.uv[m.mesh.next(m.mesh.next(h))]);
+      if(!fine)
+        continue;
+      ++moved;
+      for(auto h : CGAL::halfedges_around_target(v, m.mesh))
+        m.uv[h] = p;
+    }
+  assert(moved > 50);
+  shuffle_charts(m, 4);
+  Mesh qm;
+  const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm);
+  assert(r.status == Status::VALID && figures(qm).is_valid() && r.quads == 144 && r.uncovered_area == 0);
+}
+
+// Noise of the size of a text file with six digits is removed.
+void test_inexact_maps()
+{
+  std::mt19937 rng(5);
+  for(const Coarse_mesh& c : { coarse_cube(), coarse_cone(5), coarse_cone(8), coarse_torus(4, 3, 1), coarse_plane(3, 2, [](int, int) { return true; }) })
+    for(int k : { 1, 4, 9 })
+    {
+      Options o;
+      o.k = k; o.inner_points = 20; o.edge_points = 3;
+      Mapped_mesh m = triangulated(c, o);
+      Mesh exact, noisy;
+      assert(CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, exact).status == Status::VALID);
+      for(auto h : m.mesh.halfedges())
+        if(!m.mesh.is_border(h))
+          m.uv[h] = Point_2(m.uv[h].x() + 1e-6 * (rng() % 1001 - 500.) / 500, m.uv[h].y() + 1e-6 * (rng() % 1001 - 500.) / 500);
+      const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, noisy);
+      assert(r.status == Status::VALID && r.inexact_transitions > 0 && r.inconsistent_transitions == 0);
+      assert(r.largest_coordinate_change > 0 && r.largest_coordinate_change < 1e-5);
+      assert(figures(noisy).is_valid() && noisy.number_of_faces() == exact.number_of_faces());
+      assert(figures(noisy).same_topology(figures(m.mesh)));
+    }
+}
+
+// Extraction in which fold-overs are not undone in the map, so that all is left to the graph of the grid lines.
+Result extract_without_unfolding(const Mapped_mesh& m, Mesh& qm)
+{
+  namespace internal = CGAL::Quad_meshing::internal;
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(
+    m.mesh, m.mesh.points(), get(boost::vertex_index, m.mesh), get(boost::face_index, m.mesh));
+  internal::Grid_map map(mesh);
+  internal::copy_corners(m.mesh, m.uv, get(boost::face_index, m.mesh), map);
+  Result r;
+  internal::Quad_extractor extractor(map, r, 0);
+  CGAL::Quad_meshing::Default_visitor visitor;
+  if(extractor.run(visitor))
+    extractor.write(qm, [&](const internal::Grid_location& l)
+    {
+      const auto p = internal::position(mesh, l);
+      return qm.add_vertex(Point_3(p.x(), p.y(), p.z()));
+    });
+  return r;
+}
+
+// Fold-overs made by moving vertices of a regular region across their links, by up to the size of a cell.
+void test_fold_overs()
+{
+  std::mt19937 rng(11);
+  for(int denominator : { 64, 4, 1 })
+    for(bool unfold : { true, false })
+    {
+      std::size_t pure = 0, folded = 0;
+      const int runs = 200;
+      for(int run = 0; run < runs; ++run)
+      {
+        Options o;
+        o.k = 1 + run % 5; o.inner_points = 30; o.edge_points = 3; o.denominator = 64; o.seed = run; o.random_charts = false;
+        if(denominator < 64)
+          o.k = 4 + run % 4, o.denominator = denominator;
+        Mapped_mesh m = triangulated(coarse_torus(4, 4, 0), o);
+        const int n = 1 + run % 3, size = denominator;
+        for(int i = 0; i < n; ++i)
+        {
+          const Mesh::Vertex_index v(16 + rng() % (m.mesh.number_of_vertices() - 16));
+          const double dx = (int(rng() % (2 * size + 1)) - size) / double(size), dy = (int(rng() % (2 * size + 1)) - size) / double(size);
+          for(auto h : CGAL::halfedges_around_target(v, m.mesh))
+            m.uv[h] = Point_2(m.uv[h].x() + dx, m.uv[h].y() + dy);
+        }
+        shuffle_charts(m, run);
+        Mesh qm;
+        const Result r = unfold ? CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm) : extract_without_unfolding(m, qm);
+        const Mesh_figures f = figures(qm);
+        assert(r.status == Status::VALID || r.status == Status::REPAIRED);
+        assert(f.consistent && f.vertex_manifold && f.isolated_vertices == 0);
+        assert(r.quads == f.quads && r.other_faces == f.faces - f.quads);
+        if(r.status == Status::VALID)
+          assert(f.is_valid() && f.same_topology(figures(m.mesh)) && f.faces == std::size_t(16 * o.k * o.k));
+        folded += r.status != Status::VALID;
+        pure += f.is_valid() && f.same_topology(figures(m.mesh)) && f.faces == std::size_t(16 * o.k * o.k);
+      }
+      std::cout << "fold-overs, multiples of 1/" << denominator << (unfold ? "" : ", graph alone") << ": " << folded
+                << " of " << runs << " folded, " << pure << " without trace" << std::endl;
+    }
+}
+
+// A polycube, mapped so that slab i of cells across axis a is sizes[a][i] grid cells thick. A slab of thickness 0 puts singular
+// vertices on one point: the mesh is that of the polycube without the slab.
+Mapped_mesh polycube(const std::function<bool(int, int, int)>& occupied, const std::array<std::vector<int>, 3>& sizes, int n, unsigned int seed)
+{
+  const test_meshes::Soup soup = test_meshes::voxel_surface(occupied, static_cast<int>(sizes[0].size()), static_cast<int>(sizes[1].size()), static_cast<int>(sizes[2].size()), n);
+  Mapped_mesh m;
+  std::vector<Mesh::Vertex_index> v;
+  for(const auto& p : soup.points)
+    v.push_back(m.mesh.add_vertex(Point_3(p.x(), p.y(), p.z())));
+  for(const auto& t : soup.triangles)
+  {
+    const Point_3 p[3] = { m.mesh.point(v[t[0]]), m.mesh.point(v[t[1]]), m.mesh.point(v[t[2]]) };
+    const CGAL::Vector_3<Kernel> normal = CGAL::cross_product(p[1] - p[0], p[2] - p[0]);
+    int axis = 0;
+    while(normal[axis] == 0)
+      ++axis;
+    auto image = [&](int i, int a)
+    {
+      double c = p[i][a], sum = 0;
+      for(int s : sizes[a])
+      {
+        sum += s * (std::min)((std::max)(c, 0.), 1.);
+        c -= 1;
+      }
+      return sum;
+    };
+    std::array<Point_2, 3> uv;
+    for(int i = 0; i < 3; ++i)
+    {
+      const double x = image(i, (axis + 1) % 3), y = image(i, (axis + 2) % 3);
+      uv[i] = normal[axis] > 0 ? Point_2(x, y) : Point_2(y, x);
+    }
+    add_triangle(m, {{ v[t[0]], v[t[1]], v[t[2]] }}, uv);
+  }
+  shuffle_charts(m, seed);
+  return m;
+}
+
+void test_collapsed_arcs()
+{
+  auto bump = [](int x, int y, int z) { return z == 0 || (x == 1 && y == 1); };
+  auto box = [](int, int, int) { return true; };
+  auto steps = [](int x, int, int z) { return z <= x; };
+  struct { std::function<bool(int, int, int)> occupied; std::array<std::vector<int>, 3> sizes; std::size_t quads, irregular; } const cases[] = {
+    { box, {{ { 3 }, { 2 }, { 1 } }}, 22, 8 },
+    { bump, {{ { 1, 2, 1 }, { 2, 2, 1 }, { 2, 1 } }}, 4 * 5 * 2 + 2 * 2 * 9 + 8, 16 },
+    { box, {{ { 3 }, { 2 }, { 0 } }}, 12, 4 },
+    { bump, {{ { 1, 2, 1 }, { 2, 2, 1 }, { 2, 0 } }}, 4 * 5 * 2 + 2 * 2 * 9, 8 },
+    { bump, {{ { 1, 0, 1 }, { 2, 2, 1 }, { 2, 1 } }}, 2 * 5 * 2 + 2 * 2 * 7 + 4, 8 },
+    { steps, {{ { 2, 2, 2 }, { 2 }, { 1, 0, 1 } }}, 0, 0 },
+  };
+  for(const auto& c : cases)
+    for(int n : { 4, 3, 2, 1 })
+    {
+      const Mapped_mesh m = polycube(c.occupied, c.sizes, n, n);
+      Mesh qm;
+      const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm);
+      const Mesh_figures f = figures(qm);
+      std::cout << "collapsed n=" << n << " " << r.message << " quads " << f.quads << "/" << c.quads << " irr " << f.irregular_vertices() << "/" << c.irregular << " euler " << f.euler() << " merged " << r.merged_vertices << " canc " << r.cancelled_crossings << " rem " << r.removed_edges << " drop " << r.dropped_faces << "\n";
+    }
+}
+
+// Nothing that can be in the map makes the extraction crash, hang, or write something that is not a manifold mesh.
+void test_garbage()
+{
+  std::mt19937 rng(13);
+  auto check = [&](const Mapped_mesh& m, const char* what)
+  {
+    Mesh qm;
+    const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm);
+    const Mesh_figures f = figures(qm);
+    assert(f.consistent && f.vertex_manifold && f.isolated_vertices == 0);
+    assert(!r.message.empty());
+    assert((r.status == Status::FAILED) == (f.faces == 0));
+    assert(r.status != Status::VALID || (f.is_valid() && f.is_simple()));
+    std::cout << what << ": " << r.message << std::endl;
+    return r.status;
+  };
+  Options o;
+  o.inner_points = 40; o.edge_points = 4; o.denominator = 32;
+  const Mapped_mesh sphere = triangulated(coarse_cube(), o), disk = triangulated(coarse_fan(3), o);
+  for(const Mapped_mesh* base : { &sphere, &disk })
+  {
+    Mapped_mesh m(*base);
+    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(0, 0);
+    assert(check(m, "all zero") == Status::FAILED);
+    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(rng() % 1000 / 100., rng() % 1000 / 100.);
+    assert(check(m, "random") != Status::VALID);
+    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(int(rng() % 5), int(rng() % 5));
+    assert(check(m, "random integers") != Status::VALID);
+    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(1e300 * (rng() % 3), 1e-300);
+    assert(check(m, "huge") == Status::FAILED);
+    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(1e9 * (rng() % 3), 1e9 * (rng() % 3));
+    assert(check(m, "too many") == Status::FAILED);
+    for(auto v : m.mesh.vertices())
+    {
+      const Point_2 p(rng() % 640 / 64., rng() % 640 / 64.);
+      for(auto h : CGAL::halfedges_around_target(v, m.mesh)) m.uv[h] = p;
+    }
+    assert(check(m, "random per vertex") != Status::VALID);
+    for(auto v : m.mesh.vertices())
+    {
+      const Point_2 p(int(rng() % 4), int(rng() % 4));
+      for(auto h : CGAL::halfedges_around_target(v, m.mesh)) m.uv[h] = p;
+    }
+    assert(check(m, "random integers per vertex") != Status::VALID);
+    Mapped_mesh x(*base);
+    x.uv[*x.mesh.halfedges_begin()] = Point_2(std::nan(""), 0);
+    for(auto h : x.mesh.halfedges()) if(!x.mesh.is_border(h)) { x.uv[h] = Point_2(0, std::nan("")); break; }
+    assert(check(x, "NaN") == Status::FAILED);
+    // Mirrored: every triangle is negative.
+    Mapped_mesh y(*base);
+    for(auto h : y.mesh.halfedges()) y.uv[h] = Point_2(-y.uv[h].x(), y.uv[h].y());
+    assert(check(y, "mirrored") != Status::VALID);
+    // Scaled by a half: singular vertices off the grid.
+    Mapped_mesh z(*base);
+    for(auto h : z.mesh.halfedges()) z.uv[h] = Point_2(z.uv[h].x() * 2.5, z.uv[h].y() * 2.5);
+    check(z, "scaled by 2.5");
+    for(int i = 0; i < 20; ++i)
+    {
+      Mapped_mesh w(*base);
+      for(auto h : w.mesh.halfedges())
+        if(rng() % 10 == 0)
+          w.uv[h] = Point_2(w.uv[h].x() + int(rng() % 3) - 1, w.uv[h].y() + int(rng() % 65 - 32) / 32.);
+      check(w, "a tenth of the corners moved");
+    }
+  }
+  Mapped_mesh empty;
+  assert(check(empty, "empty") == Status::FAILED);
+}
+
+struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
+{
+  int calls = 0, allowed;
+  double last = 0;
+  explicit Stopping_visitor(int n) : allowed(n) {}
+  void progress(double p) { assert(p >= last && p <= 1); last = p; }
+  bool go_further() { return ++calls <= allowed; }
+};
+
+void test_interface()
+{
+  Options o;
+  o.k = 4;
+  const Mapped_mesh m = triangulated(coarse_cube(), o);
+  for(int n = 0; n < 10; ++n)
+  {
+    Mesh qm;
+    Stopping_visitor visitor(n);
+    const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::visitor(std::ref(visitor)));
+    assert((r.status == Status::STOPPED) == (visitor.calls > n));
+    assert(qm.is_empty() == (r.status == Status::STOPPED));
+  }
+
+  // Into a polyhedron, and from one; the second copy is added to the first.
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  Polyhedron p;
+  assert(CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, p).status == Status::VALID);
+  assert(p.is_valid() && p.is_closed() && p.size_of_facets() == 96 && figures(p).is_valid());
+  CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, p);
+  assert(p.is_valid() && figures(p).components == 2 && figures(p).is_valid());
+
+  typedef boost::graph_traits<Polyhedron>::halfedge_descriptor Polyhedron_halfedge;
+  Polyhedron tp;
+  std::vector<std::pair<Mesh::Halfedge_index, Polyhedron_halfedge> > pairs;
+  CGAL::copy_face_graph(m.mesh, tp, params::halfedge_to_halfedge_output_iterator(std::back_inserter(pairs)));
+  std::map<Polyhedron_halfedge, Point_2> uv;
+  for(const auto& h : pairs)
+    uv[h.second] = m.uv[h.first];
+  Mesh qm;
+  assert(CGAL::Quad_meshing::extract_quad_mesh(tp, boost::make_assoc_property_map(uv), qm).status == Status::VALID);
+  assert(qm.number_of_faces() == 96 && qm.is_valid());
+}
+
 int main()
 {
   test_exact_maps();
+  test_small_valences();
+  test_unaligned_borders();
+  test_perturbation();
+  test_inexact_maps();
+  test_fold_overs();
+  test_collapsed_arcs();
+  test_garbage();
+  test_interface();
   std::cout << "test_extraction: done" << std::endl;
   return 0;
 }

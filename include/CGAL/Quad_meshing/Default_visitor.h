@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingVisitorGrp
+ * \ingroup PkgQuadMeshingRef
  *
  * \brief is the visitor that the functions of this package use when the user passes none: it looks
  * at nothing and lets every algorithm run to its end.

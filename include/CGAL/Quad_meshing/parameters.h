@@ -34,10 +34,19 @@
   CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \
   CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule)                        \
   CGAL_add_named_parameter(cross_field_method_t, cross_field_method, cross_field_method)            \
+  CGAL_add_named_parameter(distance_limit_t, distance_limit, distance_limit)                        \
+  CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)                     \
+  CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
+  CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
   CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
   CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \
+  CGAL_add_named_parameter(merge_singularities_t, merge_singularities, merge_singularities)         \
+  CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves, collapse_dual_curves)      \
+  CGAL_add_named_parameter(target_number_of_patches_t, target_number_of_patches, target_number_of_patches) \
+  CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations, smoothing_iterations)      \
+  CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost, operator_step_cost)            \
   CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
 
 namespace CGAL {

@@ -75,6 +75,7 @@ struct Quad_extraction_result
   std::size_t holes_closed = 0;             ///< border loops that lie inside one grid cell; the quad closes them
   std::size_t moved_vertices = 0;           ///< vertices whose image was moved to undo fold-overs
   std::size_t cancelled_crossings = 0;      ///< pairs of grid points of opposite orientation that were removed
+  std::size_t merged_vertices = 0;          ///< copies of a grid point that became one vertex with others
   std::size_t removed_edges = 0;            ///< grid edges that could not be followed or led to nothing
   std::size_t joined_faces = 0;             ///< pairs of faces with an odd number of sides that were joined
   std::size_t split_faces = 0;              ///< faces of more than four sides that were cut into quads

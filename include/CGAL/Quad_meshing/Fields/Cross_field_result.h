@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingFieldsGrp
+ * \ingroup PkgQuadMeshingFieldsRef
  * \brief names the ways to find the period jumps of a cross field.
  */
 enum class Cross_field_method
@@ -27,7 +27,7 @@ enum class Cross_field_method
 };
 
 /*!
- * \ingroup PkgQuadMeshingFieldsGrp
+ * \ingroup PkgQuadMeshingFieldsRef
  * \brief says how the computation of a cross field ended.
  */
 enum class Cross_field_status
@@ -40,7 +40,7 @@ enum class Cross_field_status
   NUMERICAL_FAILURE    ///< a linear system could not be factorized
 };
 
-/// \ingroup PkgQuadMeshingFieldsGrp
+/// \ingroup PkgQuadMeshingFieldsRef
 /// \brief returns a sentence that describes a status.
 inline std::string get_message(Cross_field_status status)
 {
@@ -57,7 +57,7 @@ inline std::string get_message(Cross_field_status status)
 }
 
 /*!
- * \ingroup PkgQuadMeshingFieldsGrp
+ * \ingroup PkgQuadMeshingFieldsRef
  * \brief holds what `smooth_cross_field()` has to say about its result.
  */
 struct Cross_field_result

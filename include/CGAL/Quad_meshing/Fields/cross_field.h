@@ -24,13 +24,14 @@
 #include <CGAL/property_map.h>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingFieldsGrp
+ * \ingroup PkgQuadMeshingFieldsRef
  *
  * \brief computes a smooth cross field that follows given directions.
  *
@@ -59,7 +60,8 @@ namespace Quad_meshing {
  * \param angle gets the angle, in radians and counterclockwise about the normal, from the vector of
  *   `halfedge(f, tm)` to the first direction of the cross of `f`; it lies in \f$ [-\pi/4, \pi/4] \f$
  * \param period_jump gets \f$ p_{ij} \f$ with `i` the face of `halfedge(e, tm)` and `j` the face of
- *   its opposite; 0 for border edges. Direction `a` of the cross of `i` continues as direction `a - p` in `j`.
+ *   its opposite, for the edge descriptors `e` that `edges(tm)` enumerates (a descriptor made by `edge(h, tm)` may
+ *   have the other orientation); 0 for border edges. Direction `a` of the cross of `i` continues as direction `a - p` in `j`.
  * \param index gets the index of the field at a vertex in quarters. For an inner vertex it is 4 minus
  *   the number of quads around it: 1 for valence 3, -1 for valence 5. For a vertex on the border it
  *   is 2 minus this number. The sum of all indices is four times the Euler number if the field is aligned with the
@@ -188,7 +190,8 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 
   internal::Cross_field field;
-  const Cross_field_status status = internal::solve_field(problem, options, visitor, field, result);
+  typedef typename std::remove_reference<Visitor_reference>::type Visitor;
+  const Cross_field_status status = internal::Field_solver<Visitor>(problem, options, visitor)(field, result);
   if(status != Cross_field_status::SUCCESS && status != Cross_field_status::EMPTY_SECTORS)
     return finish(status);
 

@@ -101,7 +101,7 @@ inline std::string json_number(double x)
 } // namespace internal
 
 /*!
- * \ingroup PkgQuadMeshingIOGrp
+ * \ingroup PkgQuadMeshingIORef
  *
  * \brief is one flat JSON object: a list of keys with values that are truth values, integers,
  * floating point numbers or strings, written in the order in which the keys were first set.

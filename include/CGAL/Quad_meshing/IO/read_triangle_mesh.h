@@ -9,11 +9,12 @@
 #ifndef CGAL_QUAD_MESHING_IO_READ_TRIANGLE_MESH_H
 #define CGAL_QUAD_MESHING_IO_READ_TRIANGLE_MESH_H
 
-#include <CGAL/Quad_meshing/IO/internal/Soup_file_reader.h>
 #include <CGAL/Quad_meshing/IO/internal/Soup_to_surface.h>
 #include <CGAL/Quad_meshing/IO/internal/clean_soup.h>
 #include <CGAL/Quad_meshing/IO/internal/flatten_degenerate_faces.h>
+#include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -22,102 +23,14 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 
-/// \ingroup PkgQuadMeshingIOGrp
-/// is how the reading of a mesh ended.
-enum class Mesh_reading_status
-{
-  SUCCESS,             ///< the mesh is there
-  CANNOT_OPEN,         ///< the file does not exist or cannot be read
-  EMPTY_FILE,          ///< the file has no content
-  UNKNOWN_FORMAT,      ///< the extension of the file is not `off`, `obj`, `ply` or `stl`
-  MALFORMED_FILE,      ///< the content is not what the format prescribes
-  INVALID_INDEX,       ///< a face names a vertex that does not exist
-  INVALID_COORDINATE,  ///< a coordinate is not a finite number, or too large to compute with
-  NO_FACES,            ///< there is no face, or none with an area
-  NOT_ORIENTABLE       ///< the surface has one side only, as a Moebius strip has
-};
-
-/*!
- * \ingroup PkgQuadMeshingIOGrp
- *
- * \brief is the result of `read_triangle_mesh()`.
- */
-struct Mesh_reading_result
-{
-  /// how it ended
-  Mesh_reading_status status = Mesh_reading_status::SUCCESS;
-
-  /// the reason in one sentence without the name of the file, empty after success
-  std::string message;
-
-  /// what was done to make the content of the file a triangle mesh, one short sentence each
-  std::vector<std::string> repairs;
-
-  /// the number of triangles of zero area that could not be removed
-  std::size_t number_of_degenerate_faces = 0;
-
-  /// returns whether the mesh was read.
-  explicit operator bool() const { return status == Mesh_reading_status::SUCCESS; }
-};
-
 namespace internal {
-
-// Larger coordinates make squares of areas overflow.
-constexpr double largest_coordinate = 1e70;
-
-// Looks for faces with vertices that are not there and for coordinates that are not numbers.
-// Numbers of vertices and faces in messages count from 0 in the order of the file.
-inline bool check_soup(const Polygon_soup& soup, Mesh_reading_result& result)
-{
-  auto refuse = [&](Mesh_reading_status status, const std::string& message)
-  {
-    result.status = status;
-    result.message = message;
-    return false;
-  };
-
-  if(soup.polygons.empty())
-    return refuse(Mesh_reading_status::NO_FACES, "there are " + count_of(soup.points.size(), "vertex", "vertices") +
-                                                 " but no faces");
-  const std::size_t nv = soup.points.size();
-  for(std::size_t f = 0; f < soup.polygons.size(); ++f)
-  {
-    for(std::size_t v : soup.polygons[f])
-    {
-      if(v < nv)
-        continue;
-      const bool is_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
-      return refuse(Mesh_reading_status::INVALID_INDEX,
-                    "face " + std::to_string(f) + " names " +
-                    (is_negative ? std::string("a vertex before the first one")
-                                 : "vertex " + std::to_string(v)) +
-                    ", but there are only " + count_of(nv, "vertex", "vertices") + " (numbers count from 0)");
-    }
-  }
-  for(std::size_t v = 0; v < nv; ++v)
-  {
-    for(int d = 0; d < 3; ++d)
-    {
-      const double c = soup.points[v][d];
-      if(!std::isfinite(c))
-        return refuse(Mesh_reading_status::INVALID_COORDINATE,
-                      "vertex " + std::to_string(v) + " has a coordinate that is not a finite number (numbers count from 0)");
-      if(std::abs(c) > largest_coordinate)
-        return refuse(Mesh_reading_status::INVALID_COORDINATE,
-                      "vertex " + std::to_string(v) + " has a coordinate too large to compute with (numbers count from 0)");
-    }
-  }
-  return true;
-}
 
 // Triangulates all faces. Polygons that the triangulation of CGAL gives up become fans.
 template <typename FaceGraph, typename VertexPointMap>
@@ -135,10 +48,20 @@ void triangulate(FaceGraph& g, VertexPointMap vpm)
       h = Euler::split_face(h, next(next(h, g), g), g);
 }
 
+// Whether a polygon has an area that numbers of type double can tell from none.
+inline bool has_area(const Polygon_soup& soup, const Polygon_soup::Polygon& polygon)
+{
+  const Polygon_soup::Point_3& p = soup.points[polygon[0]];
+  for(std::size_t k = 2; k < polygon.size(); ++k)
+    if(cross_product(soup.points[polygon[k - 1]] - p, soup.points[polygon[k]] - p).squared_length() > 0)
+      return true;
+  return false;
+}
+
 } // namespace internal
 
 /*!
- * \ingroup PkgQuadMeshingIOGrp
+ * \ingroup PkgQuadMeshingIORef
  *
  * \brief reads a triangle mesh from a file, checks it and repairs what can be repaired without
  * changing the surface as a set of points.
@@ -199,25 +122,16 @@ read_triangle_mesh(const std::string& filename,
     return result;
   };
 
-  std::string bytes, error;
-  if(!internal::read_bytes(filename, bytes, error))
-    return refuse(Mesh_reading_status::CANNOT_OPEN, "cannot be read: " + error);
-  const std::string extension = internal::file_extension(filename);
-  if(!internal::is_readable_format(extension))
-    return refuse(Mesh_reading_status::UNKNOWN_FORMAT, "the format '" + extension + "' is not one of off, obj, ply, stl");
-  if(bytes.find_first_not_of(" \t\r\n") == std::string::npos)
-    return refuse(Mesh_reading_status::EMPTY_FILE, "the file is empty");
-
   internal::Polygon_soup soup;
-  if(!internal::parse_polygon_soup(extension, bytes, soup, error))
-    return refuse(Mesh_reading_status::MALFORMED_FILE, error);
-  bytes = std::string();
-  if(!internal::check_soup(soup, result))
+  if(!internal::read_soup(filename, soup, result))
     return result;
 
   internal::clean_soup(soup, result.repairs);
   if(soup.polygons.empty())
     return refuse(Mesh_reading_status::NO_FACES, "no face has three distinct vertices");
+  if(std::none_of(soup.polygons.begin(), soup.polygons.end(),
+                  [&](const internal::Polygon_soup::Polygon& polygon) { return internal::has_area(soup, polygon); }))
+    return refuse(Mesh_reading_status::NO_FACES, "no face has an area");
 
   const auto polygons = std::count_if(soup.polygons.begin(), soup.polygons.end(),
                                       [](const internal::Polygon_soup::Polygon& p) { return p.size() > 3; });

@@ -9,6 +9,8 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_SPARSE_CHOLESKY_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_SPARSE_CHOLESKY_H
 
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Supernodal_factor.h>
+
 #include <CGAL/assertions.h>
 
 #include <Eigen/SparseCholesky>
@@ -22,6 +24,7 @@
 #endif
 
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -121,14 +124,88 @@ public:
     return m_solver->solve(B);
   }
 
+  /// returns \f$ B^T A^{-1} B \f$ for a sparse `B`, in less time than solving for all its columns:
+  /// only the parts of the factor that the columns reach are visited, and no back substitution is made.
+  /// \pre `ok()`
+  Eigen::MatrixXd product_with_inverse(const Matrix& B) const
+  {
+    CGAL_precondition(m_ok && B.rows() == m_size);
+    if(m_size == 0 || B.cols() == 0)
+      return Eigen::MatrixXd::Zero(B.cols(), B.cols());
+    internal::Supernodal_factor factor;
+    view_factor(factor);
+    return internal::Supernodal_product(factor, B).run();
+  }
+
 private:
 #ifdef CGAL_QUAD_MESHING_USE_CHOLMOD
-  typedef Eigen::CholmodDecomposition<Matrix, Eigen::Lower> Solver;
+  // Gives access to the factor.
+  struct Solver : Eigen::CholmodDecomposition<Matrix, Eigen::Lower>
+  {
+    const cholmod_factor& factor() const { return *this->m_cholmodFactor; }
+  };
+
+  void view_factor(internal::Supernodal_factor& view) const
+  {
+    const cholmod_factor& L = m_solver->factor();
+    const int* const permutation = static_cast<const int*>(L.Perm);
+    view.permutation.assign(permutation, permutation + L.n);
+    const double* const x = static_cast<const double*>(L.x);
+    if(L.is_super)
+    {
+      const int* const super = static_cast<const int*>(L.super);
+      const int* const pi = static_cast<const int*>(L.pi);
+      const int* const px = static_cast<const int*>(L.px);
+      const int* const s = static_cast<const int*>(L.s);
+      view.super.assign(super, super + L.nsuper + 1);
+      view.row_begin.assign(pi, pi + L.nsuper + 1);
+      view.block_begin.assign(px, px + L.nsuper + 1);
+      view.rows.assign(s, s + pi[L.nsuper]);
+      view.blocks = x;
+      return;
+    }
+    const int* const begin = static_cast<const int*>(L.p);
+    const int* const count = static_cast<const int*>(L.nz);
+    std::vector<int> end(L.n);
+    for(std::size_t j = 0; j < L.n; ++j)
+      end[j] = begin[j] + count[j];
+    const std::vector<double> ones(L.n, 1.);
+    view.assign(m_size, begin, end.data(), static_cast<const int*>(L.i), x, ones.data());
+  }
 
   // LL' fails by itself on a matrix that is not positive definite.
   bool has_positive_pivots() const { return true; }
 #else
   typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Solver;
+
+  void view_factor(internal::Supernodal_factor& view) const
+  {
+    // Eigen stores L without its unit diagonal, and the permutation that takes a row of A to one of L.
+    const Eigen::SparseMatrix<double>& strict = m_solver->matrixL().nestedExpression();
+    const Eigen::VectorXd scale = m_solver->vectorD().cwiseSqrt();
+    const Eigen::VectorXi to_factor = m_solver->permutationP().indices();
+    std::vector<int> begin(1, 0), indices;
+    std::vector<double> values;
+    begin.reserve(m_size + 1);
+    indices.reserve(strict.nonZeros() + m_size);
+    values.reserve(strict.nonZeros() + m_size);
+    for(int j = 0; j < m_size; ++j)
+    {
+      indices.push_back(j);
+      values.push_back(1.);
+      for(Matrix::InnerIterator it(strict, j); it; ++it)
+        if(it.row() > j)
+        {
+          indices.push_back(static_cast<int>(it.row()));
+          values.push_back(it.value());
+        }
+      begin.push_back(static_cast<int>(indices.size()));
+    }
+    view.permutation.resize(m_size);
+    for(int i = 0; i < m_size; ++i)
+      view.permutation[to_factor.size() > 0 ? to_factor[i] : i] = i;
+    view.assign(m_size, begin.data(), begin.data() + 1, indices.data(), values.data(), scale.data());
+  }
 
   bool has_positive_pivots() const
   {

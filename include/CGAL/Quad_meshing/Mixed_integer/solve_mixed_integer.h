@@ -71,7 +71,7 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`1e-4`}
   \cgalParamNEnd
   \cgalParamNBegin{gauss_seidel_iterations}
-    \cgalParamDescription{the number of local Gauss-Seidel steps after a rounding before the next level takes over;
+    \cgalParamDescription{the number of local Gauss-Seidel steps per rounding before the next level takes over;
                           0 switches the level off}
     \cgalParamType{`int`}
     \cgalParamDefault{`100000`}
@@ -80,7 +80,7 @@ exception is thrown and nothing is printed.
     \cgalParamDescription{the number of steps of the preconditioned conjugate gradient before a new factorization;
                           0 switches the level off}
     \cgalParamType{`int`}
-    \cgalParamDefault{`50`}
+    \cgalParamDefault{`10`}
   \cgalParamNEnd
   \cgalParamNBegin{simultaneous_rounding}
     \cgalParamDescription{whether greedy rounding rounds several integers at once as long as their deviations

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingStructureGrp
+ * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief holds the shape measures of the elements of a quad mesh.
  *
@@ -144,7 +144,7 @@ inline Quad_mesh_quality quality_of_quad_mesh(const Indexed_quad_mesh& m)
 } // namespace internal
 
 /*!
- * \ingroup PkgQuadMeshingStructureGrp
+ * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief measures the angles, edge lengths, scaled Jacobians and planarity of a quad mesh.
  *
@@ -182,7 +182,7 @@ Quad_mesh_quality quad_mesh_quality(const QuadMesh& qm, const NamedParameters& n
 }
 
 /*!
- * \ingroup PkgQuadMeshingStructureGrp
+ * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief lists the quads of smallest scaled Jacobian.
  *

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingStructureGrp
+ * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief tells what `smooth_quad_mesh()` did.
  *
@@ -179,7 +179,7 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const Smooth& smo
 } // namespace internal
 
 /*!
- * \ingroup PkgQuadMeshingStructureGrp
+ * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief smooths a quad mesh on a reference surface, so that its quads become more like squares and
  * their sizes more even.
@@ -305,7 +305,7 @@ smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
 }
 
 /*!
- * \ingroup PkgQuadMeshingStructureGrp
+ * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief smooths a quad mesh on the surface that its quads, cut into two triangles each, form in the
  * input.

@@ -29,6 +29,8 @@ struct Grid_graph
 
   std::vector<int> node;        // per ray: where it starts
   std::vector<int> opposite;    // per ray: the one it runs to, or a reason why there is none
+  std::vector<signed char> sign;   // per ray: orientation of the map where it starts
+  std::vector<signed char> length; // per ray: of its edge, in the direction of the ray; 1 but at fold-overs
   std::vector<int> ccw, cw;     // per ray: the next one around its node, or NONE
   std::vector<int> first;       // per node: one of its rays, or NONE; at a border the one with no ray before it
   std::vector<int> face;        // per ray: the face on its left, or NONE where that is open to the border
@@ -65,6 +67,46 @@ struct Grid_graph
     if(ccw[r] != NONE) cw[ccw[r]] = cw[r];
     if(cw[r] != NONE) ccw[cw[r]] = ccw[r];
     opposite[r] = REMOVED;
+  }
+
+  bool is_on_border(int n) const { return first[n] != NONE && cw[first[n]] == NONE; }
+
+  // Contracts the edge of r: its two nodes become one. Returns whether this is possible; it is not for a loop, nor
+  // if it would join two places of the border.
+  bool contract(int r)
+  {
+    if(is_on_border(node[opposite[r]]))
+      r = opposite[r];
+    const int o = opposite[r], p = node[r], q = node[o];
+    if(p == q || is_on_border(q))
+      return false;
+
+    // Around p: before, r, after; around q: from, o, to. Around the joined node: before, to, ..., from, after.
+    const int before = cw[r], after = ccw[r], from = cw[o], to = ccw[o];
+    for_each_ray_of_node(q, [&](int s) { node[s] = p; });
+    auto link = [&](int s, int t)
+    {
+      if(s != NONE) ccw[s] = t;
+      if(t != NONE) cw[t] = s;
+    };
+    const bool p_is_alone = before == r, q_is_alone = to == o;
+    int start = q_is_alone ? after : to;
+    if(p_is_alone && q_is_alone)
+      start = NONE;
+    else if(p_is_alone)
+      link(from, to);
+    else if(q_is_alone)
+      link(before, after);
+    else
+    {
+      link(before, to);
+      link(from, after);
+    }
+    if(first[p] == r)
+      first[p] = start;
+    first[q] = NONE;
+    opposite[r] = opposite[o] = REMOVED;
+    return true;
   }
 
   // Removes a ray and the one at its other end.
@@ -130,6 +172,8 @@ bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g
   const int UNKNOWN = -4;
   const int n = nodes.number_of_rays();
   g.node = nodes.ray_node;
+  g.sign = nodes.ray_sign;
+  g.length.assign(n, 1);
   g.opposite.assign(n, UNKNOWN);
   g.ccw.assign(n, Grid_graph::NONE);
   g.cw.assign(n, Grid_graph::NONE);
@@ -173,6 +217,7 @@ bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g
     {
       g.opposite[r] = o;
       g.opposite[o] = r;
+      g.length[r] = g.length[o] = static_cast<signed char>(trace.length());
     }
     else
       g.opposite[r] = (o == Isoline_tracer::LEAVES_THE_SURFACE) ? Grid_graph::CUT_BY_BORDER : Grid_graph::FAILED;

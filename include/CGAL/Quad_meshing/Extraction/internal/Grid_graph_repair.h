@@ -25,15 +25,23 @@ namespace internal {
 // A fold-over lets a grid line run back, so that two grid lines may cross three times instead of
 // once, with orientations +, -, +. Two consecutive crossings bound a 2-gon, and the neighboring faces have more than
 // four sides (thesis, Fig. 6.1). To pull the lines apart over the 2-gon removes both crossings and leaves the quads there should be.
+//
+// Where several singular vertices have the same image, there is no such 2-gon, but the copies of that grid point are joined by
+// edges of length 0. If as many rays leave the whole cluster as the map covers quarters there, counted with orientation, it
+// stands for one vertex and is contracted.
 class Grid_graph_repair
 {
 public:
-  // `node_sign` is the orientation of each node: 1 or -1, or 0 for nodes that must not be cancelled.
-  Grid_graph_repair(Grid_graph& g, const std::vector<signed char>& node_sign)
-    : m_graph(g), m_sign(node_sign), m_lost(g.number_of_nodes(), false)
-  {}
+  explicit Grid_graph_repair(Grid_graph& g)
+    : m_graph(g), m_sign(g.number_of_nodes(), 0), m_lost(g.number_of_nodes(), false)
+  {
+    for(int n = 0; n < g.number_of_nodes(); ++n)
+      if(g.first[n] != Grid_graph::NONE)
+        m_sign[n] = g.sign[g.first[n]];
+  }
 
   std::size_t cancelled_crossings = 0;
+  std::size_t merged_nodes = 0;
   std::size_t removed_edges = 0;
 
   void operator()()
@@ -44,6 +52,7 @@ public:
     for(int round = 0; changed && round < 64; ++round)
     {
       changed = cancel_crossings();
+      changed |= contract_clusters();
       changed |= glue_degenerate_faces();
       changed |= simplify_nodes();
     }
@@ -51,7 +60,7 @@ public:
 
 private:
   Grid_graph& m_graph;
-  const std::vector<signed char>& m_sign;
+  std::vector<signed char> m_sign;  // per node: orientation of the map there, 0 for contracted clusters
   std::vector<char> m_lost;      // per node: has lost a ray
 
   void remove_edge(int r)
@@ -92,6 +101,10 @@ private:
     const int x = m_graph.opposite[a], y = m_graph.opposite[b];
     if(x != b)
     {
+      // The line runs on in the same direction of the chart if it comes from where the orientation is the same.
+      const int over_a = m_graph.length[a], over_b = m_graph.length[b];
+      if(x >= 0) m_graph.length[x] = static_cast<signed char>(over_a + m_graph.sign[x] * m_graph.sign[a] * over_b);
+      if(y >= 0) m_graph.length[y] = static_cast<signed char>(over_b + m_graph.sign[y] * m_graph.sign[b] * over_a);
       if(x >= 0) m_graph.opposite[x] = y;
       if(y >= 0) m_graph.opposite[y] = x;
     }
@@ -119,6 +132,61 @@ private:
         join_over(b, d);
       }
       ++cancelled_crossings;
+      changed = true;
+    }
+    return changed;
+  }
+
+  int cluster_of(std::vector<int>& parent, int n) const
+  {
+    while(parent[n] != n)
+      n = parent[n] = parent[parent[n]];
+    return n;
+  }
+
+  bool contract_clusters()
+  {
+    // The clusters are the components of the graph of the edges of length 0; nearly all nodes are alone.
+    std::vector<int> edges;
+    for(int r = 0; r < m_graph.number_of_rays(); ++r)
+      if(m_graph.opposite[r] > r && m_graph.length[r] == 0)
+        edges.push_back(r);
+    if(edges.empty())
+      return false;
+    std::vector<int> parent(m_graph.number_of_nodes());
+    for(int n = 0; n < m_graph.number_of_nodes(); ++n)
+      parent[n] = n;
+    for(int r : edges)
+      parent[cluster_of(parent, m_graph.node[r])] = cluster_of(parent, m_graph.node[m_graph.opposite[r]]);
+
+    // Per cluster: the rays that leave it, and the quarters it covers.
+    std::vector<int> leaving(m_graph.number_of_nodes(), 0), quarters(m_graph.number_of_nodes(), 0);
+    for(int r = 0; r < m_graph.number_of_rays(); ++r)
+      if(m_graph.is_alive(r))
+      {
+        const int c = cluster_of(parent, m_graph.node[r]);
+        quarters[c] += m_sign[m_graph.node[r]] == 0 ? 1 : m_graph.sign[r];
+        leaving[c] += m_graph.opposite[r] < 0 || m_graph.length[r] != 0;
+      }
+
+    bool changed = false;
+    for(int r : edges)
+    {
+      if(!m_graph.is_alive(r))
+        continue;
+      const int c = cluster_of(parent, m_graph.node[r]);
+      if(leaving[c] != quarters[c] || leaving[c] == 0)
+        continue;
+      const int p = m_graph.node[r], q = m_graph.node[m_graph.opposite[r]];
+      if(p == q)
+        m_graph.remove_edge(r);
+      else if(m_graph.contract(r))
+      {
+        m_sign[p] = m_sign[q] = 0;
+        ++merged_nodes;
+      }
+      else
+        continue;
       changed = true;
     }
     return changed;

@@ -117,11 +117,14 @@ inline bool is_grid_aligned(const Point& from, const Point& to)
   return (from.x() == to.x()) != (from.y() == to.y());
 }
 
-// Calls `f(d, s)` for each grid direction d in the sector between the vectors `p -> a` and `p -> b`, in
-// the order in which they follow each other counterclockwise *on the surface*; s is the sign of the sector. The
-// sector is half-open: a direction along its right side (`p -> a`) counts, one along its left side
-// does not, except with `closed`. A sector of negative sign runs clockwise in its chart; the side that counts
-// is the same in the chart, so that directions a fan runs over forth and back cancel exactly.
+// Calls `f(d, s)` for each grid direction d in the sector between the vectors `p -> a`, its right side, and
+// `p -> b`, its left side, in the order in which they follow each other counterclockwise on the surface; s is the sign of
+// the sector.
+//
+// The sector is half-open: of its two sides the one that comes first counterclockwise in the *chart* counts. In positive
+// sectors this is the right side; a negative sector runs clockwise in its chart, and there it is the left side. So directions
+// that a fan runs over forth and back cancel exactly. With `closed` both sides count: for the last sector
+// of a border vertex, or the first one if negative.
 template <typename Point, typename Function>
 inline void for_each_direction_in_sector(const Point& p, const Point& a, const Point& b, int sign, bool closed,
                                          const Function& f)
@@ -139,10 +142,22 @@ inline void for_each_direction_in_sector(const Point& p, const Point& a, const P
   }
   else
   {
+    if(closed && is_grid_aligned(p, a))
+      f(da, -1);
     const int n = (da - db) & 3;
     for(int i = n - 1; i >= 0; --i)
       f((db + i) & 3, -1);
   }
+}
+
+// The same for the sector of a vertex between halfedge h and the one before it.
+template <typename Function>
+inline void for_each_direction_in_sector(const Grid_map& map, int h, const Function& f)
+{
+  typedef Indexed_triangle_mesh Mesh;
+  const int sign = map.sign[h / 3];
+  const bool closed = map.mesh.opposite[sign >= 0 ? Mesh::prev(h) : h] == -1;
+  for_each_direction_in_sector(map.uv[h], map.uv[Mesh::next(h)], map.uv[Mesh::prev(h)], sign, closed, f);
 }
 
 } // namespace internal

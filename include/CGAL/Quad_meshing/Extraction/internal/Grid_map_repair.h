@@ -62,27 +62,46 @@ public:
   }
 
   // Moves regular inner vertices of triangles that are not positive to where all triangles around them are, if there
-  // is such a place. A coordinate on an isoline stays on it: the vertex may be there on purpose. Sweeps until nothing moves.
+  // is such a place. First a coordinate on an isoline stays on it: the vertex may be there on purpose. Where this does
+  // not help, it may leave it. Each time sweeps until nothing moves.
   void undo_fold_overs(int sweeps)
   {
-    std::vector<int> bad, next_bad;
-    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
-      if(m_map.sign[f] <= 0)
-        bad.push_back(f);
-    for(int i = 0; i < sweeps && !bad.empty(); ++i)
-    {
-      const std::size_t before = moved_vertices;
-      for(int f : bad)
-        for(int k = 0; k < 3 && m_map.sign[f] <= 0; ++k)
-          moved_vertices += move_into_kernel(m_mesh.corners[f][k]);
-      next_bad.clear();
-      for(int f : bad)
-        if(m_map.sign[f] <= 0)
-          next_bad.push_back(f);
-      bad.swap(next_bad);
-      if(moved_vertices == before)
-        break;
-    }
+    std::vector<int> bad = bad_faces();
+    for(bool keep_on_isolines : { true, false })
+      for(int i = 0; i < sweeps && !bad.empty(); ++i)
+      {
+        const std::size_t before = moved_vertices;
+        for(int f : bad)
+          for(int k = 0; k < 3 && m_map.sign[f] <= 0; ++k)
+            moved_vertices += move_into_kernel(m_mesh.corners[f][k], keep_on_isolines);
+        bad.erase(std::remove_if(bad.begin(), bad.end(), [&](int f) { return m_map.sign[f] > 0; }), bad.end());
+        if(moved_vertices == before)
+          break;
+      }
+  }
+
+  // Moves regular inner vertices of triangles that are not positive by up to 2^-10. A fold-over in general position leaves crossings
+  // of grid lines that cancel; along a fold that runs on a grid line, or in a triangle without area, there is nothing to see.
+  void perturb_fold_overs()
+  {
+    std::vector<char> done(m_mesh.number_of_vertices(), false);
+    std::vector<int> changed;
+    for(int f : bad_faces())
+      for(int v : m_mesh.corners[f])
+      {
+        Grid_automorphism g;
+        if(done[v] || !unfold(v, g) || !g.is_identity())
+          continue;
+        done[v] = true;
+        // Any offsets will do that have no pattern in common with those of the neighbors.
+        const double x = fraction(0.7548776662466927 * (v + 1)), y = fraction(0.5698402909980532 * (v + 1));
+        const Point_2& p = m_map.uv[m_fan.front().h];
+        assign(Point_2(p.x() + quantized((2 * x - 1) / 1024), p.y() + quantized((2 * y - 1) / 1024)));
+        for(const Sector& s : m_fan)
+          changed.push_back(s.h / 3);
+      }
+    for(int f : changed)
+      m_map.sign[f] = static_cast<signed char>(m_map.orientation_of_face(f));
   }
 
 private:
@@ -103,6 +122,17 @@ private:
     for(const Point_2& p : map.uv)
       largest = (std::max)(largest, (std::max)(std::fabs(p.x()), std::fabs(p.y())));
     return std::ldexp(1., std::ilogb(largest) - 46);
+  }
+
+  static double fraction(double x) { return x - std::floor(x); }
+
+  std::vector<int> bad_faces() const
+  {
+    std::vector<int> bad;
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      if(m_map.sign[f] <= 0)
+        bad.push_back(f);
+    return bad;
   }
 
   double quantized(double x) const { return std::floor(x / m_quantum + 0.5) * m_quantum; }
@@ -211,7 +241,7 @@ private:
     }
   }
 
-  bool move_into_kernel(int v)
+  bool move_into_kernel(int v, bool keep_on_isolines)
   {
     Grid_automorphism g;
     if(!unfold(v, g) || !g.is_identity())
@@ -228,8 +258,9 @@ private:
       x0 = (std::min)(x0, q.x()); x1 = (std::max)(x1, q.x());
       y0 = (std::min)(y0, q.y()); y1 = (std::max)(y1, q.y());
     }
-    if(is_integer(p.x())) x0 = x1 = p.x();
-    if(is_integer(p.y())) y0 = y1 = p.y();
+    const bool keep_x = keep_on_isolines && is_integer(p.x()), keep_y = keep_on_isolines && is_integer(p.y());
+    if(keep_x) x0 = x1 = p.x();
+    if(keep_y) y0 = y1 = p.y();
     m_kernel = { Point_2(x0, y0), Point_2(x1, y0), Point_2(x1, y1), Point_2(x0, y1) };
     for(std::size_t i = 0; i < m_link.size() && !m_kernel.empty(); ++i)
       clip(m_link[i], m_link[(i + 1) % m_link.size()]);
@@ -242,7 +273,7 @@ private:
       x += q.x() / m_kernel.size();
       y += q.y() / m_kernel.size();
     }
-    const Point_2 c(is_integer(p.x()) ? p.x() : quantized(x), is_integer(p.y()) ? p.y() : quantized(y));
+    const Point_2 c(keep_x ? p.x() : quantized(x), keep_y ? p.y() : quantized(y));
     // The clipping is done in floating point; what counts is this.
     for(std::size_t i = 0; i < m_link.size(); ++i)
       if(CGAL::orientation(m_link[i], m_link[(i + 1) % m_link.size()], c) != CGAL::LEFT_TURN)

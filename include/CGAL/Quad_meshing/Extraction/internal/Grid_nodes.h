@@ -251,17 +251,14 @@ private:
     ray_sign.push_back(static_cast<signed char>(s));
   }
 
-  // The rays in the sector between halfedge h and its predecessor, seen from the corner of h.
+  // The rays in the sector of halfedge h. Returns whether it is negative.
   bool add_rays_at_corner(int h)
   {
-    const bool closed = m_mesh.opposite[Mesh::prev(h)] == -1;
-    const int sign = m_map.sign[h / 3];
-    for_each_direction_in_sector(m_map.uv[h], m_map.uv[Mesh::next(h)], m_map.uv[Mesh::prev(h)], sign, closed,
-                                 [&](int d, int s) { add_ray(h, d, s); });
-    return sign < 0;
+    for_each_direction_in_sector(m_map, h, [&](int d, int s) { add_ray(h, d, s); });
+    return m_map.is_reversed(h / 3);
   }
 
-  // The rays on the side of halfedge h at a point inside it.
+  // The rays on the side of halfedge h at a point inside it. Returns whether that side is negative.
   bool add_rays_at_edge(int h)
   {
     const Point_2& a = m_map.uv[h];

@@ -40,6 +40,7 @@ public:
   // a border, `FAILED` if it cannot be followed, which happens only in maps that are not integer-grid maps.
   int operator()(int ray)
   {
+    m_goal = 1;
     for(;;)
     {
       start(ray);
@@ -52,8 +53,13 @@ public:
       if(m_result < 0 || m_nodes.mate[m_result] == -1)
         return m_result;
       ray = m_nodes.mate[m_result];
+      m_goal = 1 - m_goal;
     }
   }
+
+  // How far the last line got: 1 if it ended at the grid point next to its start. If it ran back on a fold it may have
+  // ended at another copy of the grid point where it started; this gives 0.
+  int length() const { return m_goal; }
 
 private:
   typedef Grid_map::Point_2 Point_2;
@@ -72,6 +78,9 @@ private:
     DONE
   };
 
+  // Where an arriving line looks back: a sector, and a direction in its chart.
+  struct Way_back { int h; int d; };
+
   struct Fan_ray { int h; int d; int turned; int sign; };
 
   const Grid_map& m_map;
@@ -85,6 +94,7 @@ private:
   Point_2 m_behind;
   Point_2 m_ahead;
   int m_result;
+  int m_goal;          // 1 if `m_ahead` is the grid point next to the start, 0 if it is the start
 
   std::vector<Fan_ray> m_fan;
   std::vector<int> m_live;
@@ -115,9 +125,17 @@ private:
     return point_from_coordinates<Point_2>(d, coordinate(p, d) + 1, coordinate(p, d + 1));
   }
 
+  Way_back back_in(int h) const { return Way_back{ h, (m_d + 2) & 3 }; }
+  static Way_back nowhere() { return Way_back{ -1, 0 }; }
+
   void go(State s, int h) { m_state = s; m_h = h; }
   void finish(int result) { m_state = DONE; m_result = result; }
-  void turn_round() { m_d = (m_d + 2) & 3; std::swap(m_ahead, m_behind); }
+  void turn_round()
+  {
+    m_d = (m_d + 2) & 3;
+    m_goal = 1 - m_goal;
+    std::swap(m_ahead, m_behind);
+  }
 
   void start(int ray)
   {
@@ -189,7 +207,7 @@ private:
       if(o > 0)
         return arrive_in_face(f);
       if(o == 0)
-        return arrive(m_nodes.find_on_edge(m_h, m_ahead), m_h, m_d + 2);
+        return arrive(m_nodes.find_on_edge(m_h, m_ahead), back_in(m_h), nowhere());
     }
     const int g = m_mesh.opposite[m_h];
     if(g == -1)
@@ -209,8 +227,8 @@ private:
     if(c > goal)
       return arrive_in_face(m_h / 3);
     if(c == goal)
-      return arrive(m_nodes.node_of_vertex[m_mesh.source(m_h)], m_h, m_d + 2);
-    pass_through_vertex(m_h, (m_d + 2) & 3);
+      return arrive(m_nodes.node_of_vertex[m_mesh.source(m_h)], back_in(m_h), nowhere());
+    pass_through_vertex(back_in(m_h), nowhere());
   }
 
   void from_corner()
@@ -228,21 +246,18 @@ private:
   // The line runs along h to the corner at the source of `corner`.
   void along_edge(int h, int corner, bool forward)
   {
-    // The sector in which the line looks back on itself: the one on its right, where the edge is a right side.
-    const int o = m_mesh.opposite[h];
-    int back = h, back_direction = m_d + 2, back_at_corner = corner;
-    if(forward && o != -1)
-    {
-      back = back_at_corner = o;
-      back_direction += m_map.transition[h].r;
-    }
-    const double c = along(m_map.uv[corner]), goal = along(m_ahead);
+    // The edge is a side of two sectors, in the face of h and in the one beyond; the ray back belongs to one of them.
+    const int beyond = m_mesh.opposite[h], turn = beyond == -1 ? 0 : m_map.transition[h].r;
+    const Point_2& target = m_map.uv[corner];
+    const double c = along(target), goal = along(m_ahead);
+    const Way_back here = { c > goal ? h : corner, (m_d + 2) & 3 };
+    const Way_back there = { c > goal || forward ? beyond : beyond == -1 ? -1 : Mesh::next(beyond), (m_d + 2 + turn) & 3 };
     if(c > goal)
-      arrive(m_nodes.find_on_edge(h, m_ahead), back, back_direction);
+      arrive(m_nodes.find_on_edge(h, m_ahead), here, there);
     else if(c == goal)
-      arrive(m_nodes.node_of_vertex[m_mesh.source(corner)], back_at_corner, back_direction);
+      arrive(m_nodes.node_of_vertex[m_mesh.source(corner)], here, there);
     else
-      pass_through_vertex(back_at_corner, back_direction & 3);
+      pass_through_vertex(here, there);
   }
 
   void arrive_in_face(int f)
@@ -250,30 +265,31 @@ private:
     if(m_map.sign[f] == 0)
       finish(FAILED);
     else
-      arrive(m_nodes.find_in_face(f, m_ahead), 3 * f, m_d + 2);
+      arrive(m_nodes.find_in_face(f, m_ahead), back_in(3 * f), nowhere());
   }
 
-  void arrive(int node, int h, int d)
+  void arrive(int node, const Way_back& here, const Way_back& there)
   {
-    const int r = node == -1 ? -1 : m_nodes.find_ray(node, h, d & 3);
+    int r = node == -1 ? -1 : m_nodes.find_ray(node, here.h, here.d);
+    if(r == -1 && node != -1 && there.h != -1)
+      r = m_nodes.find_ray(node, there.h, there.d);
     finish(r == -1 ? static_cast<int>(FAILED) : r);
   }
 
-  // The line arrives at a vertex that is no node; seen from there it comes from direction `d` in the sector of h.
-  // All rays of its two directions there are paired as at a folded node; the two left over belong together.
-  void pass_through_vertex(int h, int d)
+  // The line arrives at a vertex that is no node, and looks back in one of the given ways. All rays of its two directions
+  // there are paired as at a folded node; the two left over belong together.
+  void pass_through_vertex(const Way_back& here, const Way_back& there)
   {
+    const int h = here.h;
     m_fan.clear();
     int turned = 0, arrival = -1;
     for_each_sector(m_mesh, m_mesh.source(h), [&](int g)
     {
       if(g != m_mesh.halfedge_of_vertex[m_mesh.source(h)])
         turned += m_map.transition[g].r;
-      const bool closed = m_mesh.opposite[Mesh::prev(g)] == -1;
-      for_each_direction_in_sector(m_map.uv[g], m_map.uv[Mesh::next(g)], m_map.uv[Mesh::prev(g)],
-                                   m_map.sign[g / 3], closed, [&](int e, int s)
+      for_each_direction_in_sector(m_map, g, [&](int e, int s)
       {
-        if(g == h && e == d)
+        if((g == here.h && e == here.d) || (arrival == -1 && g == there.h && e == there.d))
           arrival = static_cast<int>(m_fan.size());
         m_fan.push_back(Fan_ray{ g, e, (e + turned) & 3, s });
       });
@@ -305,6 +321,8 @@ private:
       partner = m_live[0] == a ? m_live[1] : m_live[0];
     }
 
+    if(m_fan[partner].turned == m_fan[a].turned)
+      m_goal = 1 - m_goal;
     const Point_2& p = m_map.uv[m_fan[partner].h];
     m_d = m_fan[partner].d;
     const double behind = std::floor(coordinate(p, m_d)), left = coordinate(p, m_d + 1);

@@ -47,15 +47,16 @@ inline Indexed_triangle_mesh::Point_3 position(const Indexed_triangle_mesh& m, c
 // Faces of more sides are holes rather than faces.
 const int largest_degree_kept = 16;
 
-// How often the triangles that are not positive are visited to unfold them; chains of them need several visits.
-const int unfolding_sweeps = 20;
-
 // The stages of the extraction (Ebke, Bommes, Campen, Kobbelt 2013): make the map consistent, find the grid points, trace
 // the grid lines between them, walk around the faces, repair what fold-overs left.
 class Quad_extractor
 {
 public:
-  Quad_extractor(Grid_map& map, Quad_extraction_result& result) : m_map(map), m_result(result) {}
+  // Triangles that are not positive are visited `unfolding_sweeps` times to unfold them; chains of
+  // them need several visits.
+  Quad_extractor(Grid_map& map, Quad_extraction_result& result, int unfolding_sweeps = 20)
+    : m_map(map), m_result(result), m_unfolding_sweeps(unfolding_sweeps)
+  {}
 
   // Returns whether there is something to write.
   template <typename Visitor>
@@ -78,6 +79,7 @@ public:
 private:
   Grid_map& m_map;
   Quad_extraction_result& m_result;
+  const int m_unfolding_sweeps;
   Grid_graph m_graph;
   std::vector<Grid_location> m_locations;   // per node
   std::vector<int> m_vertex_of_ray;
@@ -115,7 +117,7 @@ private:
 
     if(!go_further(0.9))
       return stop();
-    repair(nodes);
+    repair();
     m_node_of_vertex = make_vertices(m_graph, m_vertex_of_ray);
     return summarize();
   }
@@ -135,9 +137,11 @@ private:
     compute_signs(m_map);
     const std::ptrdiff_t bad = number_of_bad_faces();
     if(bad > 0)
-      map_repair.undo_fold_overs(unfolding_sweeps);
+      map_repair.undo_fold_overs(m_unfolding_sweeps);
     m_result.moved_vertices = map_repair.moved_vertices;
     m_result.unfolded_faces = bad - number_of_bad_faces();
+    if(number_of_bad_faces() > 0)
+      map_repair.perturb_fold_overs();
     for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
       if(m_map.sign[f] <= 0)
         (m_map.sign[f] < 0 ? m_result.folded_faces : m_result.degenerate_faces).push_back(f);
@@ -196,7 +200,7 @@ private:
   const Grid_location& location(int n) const { return m_locations[n]; }
 
   // An exact map leaves nothing to do here, and all faces of its graph are quads.
-  void repair(const Grid_nodes& nodes)
+  void repair()
   {
     m_result.edges_cut_by_border = std::count(m_graph.opposite.begin(), m_graph.opposite.end(),
                                               static_cast<int>(Grid_graph::CUT_BY_BORDER));
@@ -206,13 +210,10 @@ private:
     if(clean)
       return;
 
-    std::vector<signed char> node_sign(nodes.number_of_nodes(), 0);
-    for(int n = 0; n < nodes.number_of_nodes(); ++n)
-      if(m_graph.first[n] != Grid_graph::NONE)
-        node_sign[n] = nodes.ray_sign[m_graph.first[n]];
-    Grid_graph_repair graph_repair(m_graph, node_sign);
+    Grid_graph_repair graph_repair(m_graph);
     graph_repair();
     m_result.cancelled_crossings = graph_repair.cancelled_crossings;
+    m_result.merged_vertices = graph_repair.merged_nodes;
     m_result.removed_edges = graph_repair.removed_edges;
 
     const Grid_face_splitter splitter(m_graph, largest_degree_kept, [&](int m, int n)
@@ -281,16 +282,12 @@ private:
     m_result.uncovered_area = area - static_cast<double>(m_result.quads);
 
     if(m_graph.number_of_faces() == 0)
-      return fail("the map covers no complete grid cell");
+      return fail(is_repaired() ? defects_of_map() + "nothing could be extracted" : "the map covers no complete grid cell");
     if(is_repaired())
     {
       m_result.status = Quad_extraction_status::REPAIRED;
-      m_result.message = "the map is no integer-grid map: "
-        + std::to_string(m_result.folded_faces.size()) + " triangles are folded over, "
-        + std::to_string(m_result.degenerate_faces.size()) + " have no area, "
-        + std::to_string(m_result.unfolded_faces) + " were unfolded, "
-        + std::to_string(m_result.inconsistent_transitions) + " transitions are inconsistent; the mesh has "
-        + std::to_string(m_result.quads) + " quads and " + std::to_string(m_result.other_faces) + " other faces";
+      m_result.message = defects_of_map() + "the mesh has " + std::to_string(m_result.quads) + " quads and "
+        + std::to_string(m_result.other_faces) + " other faces";
     }
     else if(m_result.multiple_edges > 0)
     {
@@ -305,6 +302,22 @@ private:
         + " irregular inner vertices";
     }
     return true;
+  }
+
+  // The first part of a sentence.
+  std::string defects_of_map() const
+  {
+    std::string s;
+    auto add = [&](std::size_t n, const char* what)
+    {
+      if(n > 0)
+        s += (s.empty() ? "" : ", ") + std::to_string(n) + what;
+    };
+    add(m_result.folded_faces.size(), " triangles folded over");
+    add(m_result.degenerate_faces.size(), " without area");
+    add(m_result.unfolded_faces, " folded over that could be unfolded");
+    add(m_result.inconsistent_transitions, " inconsistent transitions");
+    return "the map is no integer-grid map" + (s.empty() ? s : " (" + s + ")") + "; ";
   }
 
   bool is_repaired() const

@@ -50,7 +50,7 @@ void copy_corners(const TriangleMesh& tm, HalfedgeUVMap uv, FaceIndexMap fim, Gr
 // Says what is wrong with the coordinates as such; an empty string if nothing is.
 inline std::string defect_of_coordinates(const Grid_map& map)
 {
-  double points = 0;
+  double points = 0, total_area = 0;
   for(int f = 0; f < map.mesh.number_of_faces(); ++f)
   {
     const Grid_map::Point_2* c = &map.uv[3 * f];
@@ -67,10 +67,13 @@ inline std::string defect_of_coordinates(const Grid_map& map)
     // The grid points inside, and the rows that have to be looked at.
     const double area = 0.5 * std::fabs((c[1].x() - c[0].x()) * (c[2].y() - c[0].y())
                                       - (c[1].y() - c[0].y()) * (c[2].x() - c[0].x()));
+    total_area += area;
     points += area + (std::min)(x1 - x0, y1 - y0) + 0.1 * (y1 - y0);
   }
+  if(total_area == 0 && map.mesh.number_of_faces() > 0)
+    return "no triangle has any area in the map";
   if(points > largest_number_of_grid_points)
-    return "the map covers about " + std::to_string(static_cast<long long>(points)) + " grid points, more than can be handled";
+    return "the map covers more than " + std::to_string(static_cast<long long>(largest_number_of_grid_points)) + " grid points";
   return std::string();
 }
 

@@ -88,11 +88,6 @@ public:
   bool is_valid() const { return m_row.empty() || m_cholesky.info() == Eigen::Success; }
   int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
 
-  // Per face, its unknown, or -1 if its angle is given.
-  const std::vector<int>& rows() const { return m_row; }
-  // The fill-reducing order: unknown i becomes row `permutation().indices()[i]` of the factor.
-  const Permutation& permutation() const { return m_permutation; }
-
   // Sets the angles of all faces to the best ones for the period jumps of the field.
   void solve_angles(Cross_field& field) const
   {
@@ -123,7 +118,7 @@ public:
   {
     // The vector decays like the field of a dipole on its way up the tree; what is dropped changes the
     // entries of P, which are at most one, by a few times its size.
-    static const double negligible = getenv("NEG")?atof(getenv("NEG")):1e-4;
+    const double negligible = 1e-4;
 
     const auto& l = m_cholesky.matrixL().nestedExpression();
     Sparse_vector y;

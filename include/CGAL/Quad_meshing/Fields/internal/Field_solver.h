@@ -13,10 +13,12 @@
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Jump_polish.h>
+#include <CGAL/Quad_meshing/Fields/internal/Mixed_integer_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/Representation_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
 #include <CGAL/Quad_meshing/Fields/internal/singularity_costs.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,39 +35,23 @@ struct Field_options
 // Sets all period jumps to the nearest integers for the given angles.
 inline void round_jumps(const Field_problem& problem, Cross_field& field)
 {
+  field.period_jump.resize(problem.mesh.number_of_edges());
   for(int e = 0; e < problem.mesh.number_of_edges(); ++e)
     field.period_jump[e] = problem.is_inner(e)
       ? problem.nearest_jump(e, field.angle[problem.first_face(e)], field.angle[problem.second_face(e)]) : 0;
 }
 
-// The index of every vertex in quarters.
+// The index of every vertex in quarters: 4, or 2 on the border, minus the quads of its whole fan.
 inline std::vector<int> field_indices(const Field_problem& problem, const Cross_field& field)
 {
   const Indexed_triangle_mesh& m = problem.mesh;
-  const Field_sectors& sectors = problem.sectors;
-  const std::vector<int> quads = quads_of_sectors(m, problem.frames, problem.aligned, sectors,
+  const std::vector<char> undivided(m.number_of_edges(), 0);
+  const Field_sectors fans = make_field_sectors(m, undivided);
+  const std::vector<int> quads = quads_of_sectors(m, problem.frames, undivided, fans,
                                                   [&](int e) { return problem.residual(e, field); });
   std::vector<int> index(m.number_of_vertices(), 0);
-  std::vector<char> has_border(m.number_of_vertices(), 0), has_closed(m.number_of_vertices(), 0);
-  for(int h = 0; h < m.number_of_halfedges(); ++h)
-    if(m.opposite[h] == -1)
-    {
-      index[m.source(h)] += 2;
-      has_border[m.source(h)] = 1;
-    }
-  for(int s = 0; s < sectors.number_of_sectors(); ++s)
-  {
-    index[sectors.vertex[s]] -= quads[s];
-    if(sectors.closed[s])
-    {
-      index[sectors.vertex[s]] += 4;
-      has_closed[sectors.vertex[s]] = 1;
-    }
-  }
-  // The fan of an inner vertex that aligned edges divide.
-  for(int v = 0; v < m.number_of_vertices(); ++v)
-    if(m.halfedge_of_vertex[v] != -1 && !has_border[v] && !has_closed[v])
-      index[v] += 4;
+  for(int i = 0; i < fans.number_of_sectors(); ++i)
+    index[fans.vertex[i]] += (fans.closed[i] ? 4 : 2) - quads[i];
   return index;
 }
 
@@ -83,55 +69,99 @@ inline int count_integers(const Field_problem& problem)
   return integers;
 }
 
-// Computes the smoothest cross field it can find (thesis 8.2 and what is said in Jump_polish.h).
+// Computes a smooth cross field (thesis 8.2) from one or several starts and keeps the best.
 template <typename Visitor>
-Cross_field_status
-solve_field(const Field_problem& problem, const Field_options& options, Visitor& visitor, Cross_field& field, Cross_field_result& result)
+class Field_solver
 {
-  const Indexed_triangle_mesh& m = problem.mesh;
-  result.integers = count_integers(problem);
-  result.conflicting_faces = problem.conflicting_faces;
-  for(char c : problem.constrained)
-    result.constrained_faces += c;
+public:
+  Field_solver(const Field_problem& problem, const Field_options& options, Visitor& visitor)
+    : m_problem(problem), m_options(options), m_visitor(visitor)
+    , m_laplacian(problem)
+    , m_polish(problem, m_laplacian)
+    , m_costs(singularity_costs(problem, options.target_edge_length))
+  {}
 
-  visitor.on_stage_begin("cross field");
-  auto finish = [&](Cross_field_status status)
+  Cross_field_status operator()(Cross_field& field, Cross_field_result& result)
   {
-    visitor.on_stage_end("cross field");
+    m_visitor.on_stage_begin("cross field");
+    const Cross_field_status status = solve(field, result);
+    m_visitor.on_stage_end("cross field");
     return status;
-  };
-
-  field.period_jump.assign(m.number_of_edges(), 0);
-  field.angle.assign(m.number_of_faces(), 0.);
-
-  Dual_laplacian laplacian(problem);
-  if(!laplacian.is_valid() || !representation_field(problem, laplacian, field.angle))
-    return finish(Cross_field_status::NUMERICAL_FAILURE);
-  visitor.progress(0.5);
-  if(!visitor.go_further())
-    return finish(Cross_field_status::STOPPED);
-
-  round_jumps(problem, field);
-  laplacian.solve_angles(field);
-  Sector_quads quads(problem, field, singularity_costs(problem, options.target_edge_length));
-  if(quads.number_of_empty_sectors() > 0)
-  {
-    quads.fill_empty_sectors(field);
-    laplacian.solve_angles(field);
   }
-  result.initial_energy = problem.energy(field);
 
-  Jump_polish polish(problem, laplacian, quads);
-  polish(field, [&] { return visitor.go_further(); });
-  if(!visitor.go_further())
-    return finish(Cross_field_status::STOPPED);
-  visitor.progress(1.);
+private:
+  Cross_field_status solve(Cross_field& field, Cross_field_result& result)
+  {
+    // The local search ends in different minima from starts of different smoothness. On large meshes
+    // a second start costs more than it is worth.
+    const int clusters_of_starts[] = { 6000, 400 };
+    const int faces_for_one_start = 50000;
 
-  problem.normalize(field);
-  result.energy = problem.energy(field);
-  result.empty_sectors = quads.number_of_empty_sectors();
-  return finish(result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS);
-}
+    result.integers = count_integers(m_problem);
+    result.conflicting_faces = m_problem.conflicting_faces;
+    for(char c : m_problem.constrained)
+      result.constrained_faces += c;
+    if(!m_laplacian.is_valid())
+      return Cross_field_status::NUMERICAL_FAILURE;
+
+    const bool polished = m_options.method == Cross_field_method::POLISHED;
+    const int starts = (polished && m_problem.mesh.number_of_faces() < faces_for_one_start) ? 2 : 1;
+    double lowest = std::numeric_limits<double>::infinity();
+    for(int start = 0; start < starts; ++start)
+    {
+      Cross_field candidate;
+      if(polished)
+      {
+        if(!Representation_field(m_problem, clusters_of_starts[start])(candidate.angle))
+          return Cross_field_status::NUMERICAL_FAILURE;
+        round_jumps(m_problem, candidate);
+      }
+      else if(!Mixed_integer_field(m_problem).solve(rounding_method(), candidate))
+        return Cross_field_status::NUMERICAL_FAILURE;
+
+      m_laplacian.solve_angles(candidate);
+      Sector_quads quads(m_problem, candidate, m_costs);
+      if(quads.number_of_empty_sectors() > 0)
+      {
+        quads.fill_empty_sectors(candidate);
+        m_laplacian.solve_angles(candidate);
+      }
+      const double initial_energy = m_problem.energy(candidate);
+      const double total = polished ? m_polish(candidate, quads, [&] { return m_visitor.go_further(); }) : initial_energy;
+      if(!m_visitor.go_further())
+        return Cross_field_status::STOPPED;
+      m_visitor.progress((start + 1.) / starts);
+      if(total < lowest)
+      {
+        lowest = total;
+        field = candidate;
+        result.initial_energy = initial_energy;
+        result.empty_sectors = quads.number_of_empty_sectors();
+      }
+    }
+
+    m_problem.normalize(field);
+    result.energy = m_problem.energy(field);
+    return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
+  }
+
+  Rounding_method rounding_method() const
+  {
+    switch(m_options.method)
+    {
+      case Cross_field_method::DIRECT: return DIRECT_ROUNDING;
+      case Cross_field_method::NAIVE:  return NAIVE_ROUNDING;
+      default:                         return GREEDY_ROUNDING;
+    }
+  }
+
+  const Field_problem& m_problem;
+  const Field_options m_options;
+  Visitor& m_visitor;
+  Dual_laplacian m_laplacian;
+  Jump_polish m_polish;
+  const std::vector<double> m_costs; // per vertex, of a singularity there
+};
 
 } // namespace internal
 } // namespace Quad_meshing

@@ -33,40 +33,44 @@ namespace internal {
 class Jump_polish
 {
 public:
-  Jump_polish(const Field_problem& problem, Dual_laplacian& laplacian, Sector_quads& quads)
-    : m_problem(problem), m_laplacian(laplacian), m_quads(quads)
+  Jump_polish(const Field_problem& problem, Dual_laplacian& laplacian)
+    : m_problem(problem), m_laplacian(laplacian)
     , m_candidate_of_edge(problem.mesh.number_of_edges(), -1)
     , m_mark(problem.mesh.number_of_faces(), -1)
   {}
 
   // Polishes the field, whose angles are the best ones for its jumps; so they are again at the end.
-  // `go_further` is asked between the rounds.
+  // Returns the energy plus the cost of the sectors. `go_further` is asked between the rounds. What has been computed about
+  // candidates serves later calls as well.
   template <typename Go_further>
-  void operator()(Cross_field& field, const Go_further& go_further)
+  double operator()(Cross_field& field, Sector_quads& quads, const Go_further& go_further)
   {
+    m_quads = &quads;
+
     // The residuals of far candidates are only brought up to date between rounds, and every jump is
     // changed at most once per round (what is neglected of P could otherwise make a cycle of changes look
     // like an endless gain), so a round may leave something for the next; a handful is usual.
     const int maximum_rounds = 100;
 
-    double energy = m_problem.energy(field) + m_quads.cost();
+    double energy = m_problem.energy(field) + m_quads->cost();
     for(int round = 0; round < maximum_rounds && go_further(); ++round)
     {
       find_candidates(field);
       const Cross_field before = field;
-      const Sector_quads::State quads_before = m_quads.state();
+      const Sector_quads::State quads_before = m_quads->state();
       if(!improve(field))
-        return;
+        break;
       m_laplacian.solve_angles(field);
-      const double new_energy = m_problem.energy(field) + m_quads.cost();
+      const double new_energy = m_problem.energy(field) + m_quads->cost();
       if(!(new_energy < energy - smallest_gain))
       {
         field = before;
-        m_quads.set_state(quads_before);
-        return;
+        m_quads->set_state(quads_before);
+        break;
       }
       energy = new_energy;
     }
+    return energy;
   }
 
 private:
@@ -94,7 +98,7 @@ private:
     const int first_new = static_cast<int>(m_candidates.size());
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
       if(m_candidate_of_edge[e] == -1 && m_problem.is_movable(e) &&
-         (std::abs(m_problem.residual(e, field)) > smallest_residual || m_quads.is_costly(e)))
+         (std::abs(m_problem.residual(e, field)) > smallest_residual || m_quads->is_costly(e)))
       {
         m_candidate_of_edge[e] = static_cast<int>(m_candidates.size());
         m_candidates.emplace_back();
@@ -254,7 +258,7 @@ private:
     if(m_candidates[a.candidate].changed)
       return 0;
     const double change = energy_change(a);
-    return (change < 0 || m_quads.is_costly(e)) ? change + m_quads.cost_change(e, a.by) : change;
+    return (change < 0 || m_quads->is_costly(e)) ? change + m_quads->cost_change(e, a.by) : change;
   }
 
   double pair_change(const std::pair<Change, Change>& p, double entry)
@@ -264,8 +268,8 @@ private:
       return 0;
     const double change = energy_change(p.first) + energy_change(p.second)
                         + 2 * quarter_turn * quarter_turn * entry * p.first.by * p.second.by;
-    return (change < 0 || m_quads.is_costly(e) || m_quads.is_costly(e2))
-         ? change + m_quads.cost_change(e, p.first.by, e2, p.second.by) : change;
+    return (change < 0 || m_quads->is_costly(e) || m_quads->is_costly(e2))
+         ? change + m_quads->cost_change(e, p.first.by, e2, p.second.by) : change;
   }
 
   // Largest gain first, ties in the order of the candidates.
@@ -281,7 +285,7 @@ private:
     Candidate& c = m_candidates[a.candidate];
     c.changed = true;
     field.period_jump[c.edge] += a.by;
-    m_quads.change_jump(c.edge, a.by);
+    m_quads->change_jump(c.edge, a.by);
     c.residual += quarter_turn * a.by * c.self;
     for(const auto& other : c.others)
       m_candidates[other.first].residual += quarter_turn * a.by * other.second;
@@ -289,7 +293,7 @@ private:
 
   const Field_problem& m_problem;
   Dual_laplacian& m_laplacian;
-  Sector_quads& m_quads;
+  Sector_quads* m_quads = nullptr;          // of the running call
   std::vector<Candidate> m_candidates;
   std::vector<Sparse_vector> m_half_column; // per candidate
   std::vector<int> m_candidate_of_edge;

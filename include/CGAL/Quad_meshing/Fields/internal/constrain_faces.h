@@ -12,7 +12,9 @@
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
+#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -43,8 +45,11 @@ void constrain_face(Field_problem& problem, int f, const OptionalVector_3& direc
   if(!direction || problem.constrained[f])
     return;
   const Indexed_triangle_mesh::Vector_3 d(to_double(direction->x()), to_double(direction->y()), to_double(direction->z()));
+  const std::array<int, 3>& c = problem.mesh.corners[f];
+  const std::array<Indexed_triangle_mesh::Point_3, 3> p =
+    {{ problem.mesh.points[c[0]], problem.mesh.points[c[1]], problem.mesh.points[c[2]] }};
   Indexed_triangle_mesh::Vector_3 x, y;
-  if(!problem.frames.axes(f, x, y))
+  if(!triangle_axes(p, x, y))
     return;
   // A direction this close to the normal (relative to its length) has no reliable projection.
   const double smallest_projection = 1e-6;

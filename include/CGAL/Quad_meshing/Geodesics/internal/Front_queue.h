@@ -59,8 +59,9 @@ public:
   }
 
   // Everything still to come lies between these.
-  double front() const { return m_current == 0 ? -std::numeric_limits<double>::infinity() : m_first + m_current * m_step; }
-  double step_end() const { return m_first + (m_current + 1) * m_step; }
+  double front() const { return m_current == 0 ? -std::numeric_limits<double>::infinity() : m_current * m_step; }
+  double step() const { return m_step; }
+  double step_end() const { return (m_current + 1) * m_step; }
 
   // The next edge of this step, or -1.
   int pop_edge() { return pop(m_buckets[m_current].edges, m_edges_done, m_edge_step); }
@@ -76,10 +77,13 @@ private:
 
   static unsigned none() { return (std::numeric_limits<unsigned>::max)(); }
 
-  unsigned step_of(double key)
+  // What is due later than so many steps is looked at then.
+  static double look_ahead() { return 1 << 20; }
+
+  unsigned step_of(double key) const
   {
-    const double s = (key - m_first) / m_step;
-    return (std::max)(static_cast<unsigned>(m_current), s > 0 ? static_cast<unsigned>(s) : 0u);
+    const double s = key / m_step, current = static_cast<double>(m_current);
+    return static_cast<unsigned>((std::min)((std::max)(s, current), current + look_ahead()));
   }
 
   void push(int i, double key, std::vector<unsigned>& scheduled, std::vector<int> Bucket::* entries)
@@ -108,7 +112,6 @@ private:
   }
 
   double m_step;
-  double m_first = 0;
   std::size_t m_current = 0;
   std::size_t m_edges_done = 0, m_vertices_done = 0;
   std::vector<Bucket> m_buckets;

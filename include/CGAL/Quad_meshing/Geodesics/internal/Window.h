@@ -30,10 +30,11 @@ struct Window_tolerances
   static double place() { return is_exact() ? 0 : 1e-11; }
 
   // A gap between a window and its neighbour on the edge (or a vertex) is closed if its width, measured
-  // across the rays, is up to this part of the edge: it comes from rounding or from a saddle so
-  // shallow that it counts as flat. The distance changes by the square of it. Rays that graze the edge
-  // make the gap wider along the edge; it never may exceed `wide_gap`.
+  // across the rays, is up to the first part of the edge or the second part of the distance to the source:
+  // it comes from rounding or from a saddle so shallow that it counts as flat. The distance changes by
+  // the square of it. Rays that graze the edge make the gap wider along the edge; it never may exceed `wide_gap`.
   static double gap() { return is_exact() ? 0 : 1e-9; }
+  static double far_gap() { return is_exact() ? 0 : 1e-12; }
   static double wide_gap() { return is_exact() ? 0 : 1e-4; }
 
   // Two distances that differ by less are equal, and the window that was there first stays.
@@ -60,6 +61,7 @@ struct Window
   FT sigma;
   int origin;            // the pseudo-source: a vertex if >= 0, the source element ~origin otherwise
   float key;             // at most the smallest distance within the window: when to propagate it
+  float error;           // a bound of the error of the distance, 0 unless windows were merged
   bool linear;
   bool from_left;
   bool pending;          // not propagated yet
@@ -78,8 +80,10 @@ struct Window
     typedef Window_tolerances<FT> Tol;
     if(! (width <= FT(Tol::wide_gap()) * length))
       return false;
-    return linear ? width * y <= FT(Tol::gap()) * length
-                  : width * y <= FT(Tol::gap()) * length * (CGAL::abs(b - x) + y);
+    if(linear)
+      return width * y <= FT(Tol::gap()) * length;
+    const FT r = CGAL::abs(b - x) + y;
+    return width * y <= r * (FT(Tol::gap()) * length + FT(Tol::far_gap()) * r);
   }
 
   // The smallest distance between b0 and b1.

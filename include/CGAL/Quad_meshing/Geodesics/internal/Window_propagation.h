@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_envelope.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_merging.h>
 
 #include <cmath>
 #include <limits>
@@ -29,6 +30,8 @@ struct Vertex_label
   FT distance;
   double angle;            // the direction of arrival, see Unfolded_mesh::direction
   int origin;              // the pseudo-source that reaches the vertex, see Window::origin
+  float error;             // see Window::error
+  bool is_passed;          // whether the front has passed it
 };
 
 // Propagates windows over an unfolded mesh (Mitchell, Mount and Papadimitriou 1987; Surazhsky et al.
@@ -49,10 +52,14 @@ public:
 
   static FT unreached() { return FT(1e300); }
 
-  explicit Window_propagation(const Mesh& mesh)
+  // `allowed_error`: the relative error that merging windows may cause, 0 for the exact field.
+  // `keep_windows`: whether the windows of an edge stay when the front has passed it.
+  explicit Window_propagation(const Mesh& mesh, double allowed_error = 0, bool keep_windows = true)
     : m_mesh(mesh),
+      m_allowed_error(allowed_error),
+      m_keep_windows(keep_windows),
       m_lists(mesh.number_of_edges()),
-      m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0 }),
+      m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0, 0.f, false }),
       m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))
   {}
 
@@ -61,22 +68,23 @@ public:
   bool is_reached(int v) const { return m_labels[v].distance < unreached(); }
 
   std::size_t number_of_propagations() const { return m_propagations; }
+  std::size_t number_of_passed_vertices() const { return m_passed; }
 
   // Starts rays in all directions from a vertex.
-  void start_at_vertex(int v, const FT& offset, int origin) { reach(v, offset, origin, 0.); }
+  void start_at_vertex(int v, const FT& offset, int origin) { reach(v, offset, origin, 0.f, 0.); }
 
   // Starts rays in all directions from the place t on halfedge h.
   void start_on_halfedge(int h, const FT& t, const FT& offset, int origin)
   {
     const FT length = m_mesh.length_of(h);
-    reach(m_mesh.source(h), offset + t, origin, m_mesh.direction[h]);
-    reach(m_mesh.target(h), offset + (length - t), origin, angle_of_reverse(h));
+    reach(m_mesh.source(h), offset + t, origin, 0.f, m_mesh.direction[h]);
+    reach(m_mesh.target(h), offset + (length - t), origin, 0.f, angle_of_reverse(h));
     W w = circular(t, FT(0), offset, origin);
     w.b1 = length;
     store(h, w, false);
-    leave_point(h, t, offset, origin);
+    leave_point(h, t, offset, origin, 0.f);
     if(m_mesh.opposite[h] != -1)
-      leave_point(m_mesh.opposite[h], FT(length - t), offset, origin);
+      leave_point(m_mesh.opposite[h], FT(length - t), offset, origin, 0.f);
   }
 
   // Starts rays in all directions from the point (x, y) in the interior of the face of h.
@@ -84,7 +92,7 @@ public:
   {
     for(int k = 0; k < 3; ++k)
     {
-      reach(m_mesh.source(h), offset + CGAL::sqrt(x * x + y * y), origin,
+      reach(m_mesh.source(h), offset + CGAL::sqrt(x * x + y * y), origin, 0.f,
             m_mesh.direction[h] + std::atan2(to_double(y), to_double(x)));
       W w = circular(x, y, offset, origin);
       w.b1 = m_mesh.length_of(h);
@@ -97,7 +105,7 @@ public:
   // Starts a straight front to both sides from the part [t0, t1] of halfedge h.
   void start_along_halfedge(int h, const FT& t0, const FT& t1, const FT& offset, int origin)
   {
-    W w{ t0, t1, FT(0), FT(1), offset, origin, 0.f, true, true, false };
+    W w{ t0, t1, FT(0), FT(1), offset, origin, 0.f, 0.f, true, true, false };
     store(h, w, false);
     if(m_mesh.opposite[h] != -1)
     {
@@ -123,7 +131,7 @@ public:
         const FT na = nx * ax + ny * ay, ua = ux * ax + uy * ay;
         // the corner at the origin of the frame
         if(-ua >= FT(0) && -ua <= norm && -na >= FT(0))
-          reach(m_mesh.source(h), offset - na, origin,
+          reach(m_mesh.source(h), offset - na, origin, 0.f,
                 m_mesh.direction[h] + std::atan2(to_double(FT(-ny)), to_double(FT(-nx))));
         if(! (ny < FT(0)))
           continue;
@@ -131,7 +139,7 @@ public:
         FT t0(0), t1 = length;
         if(clip(ux, FT(-ua), FT(0), t0, t1) && clip(FT(-ux), FT(norm + ua), FT(0), t0, t1) &&
            clip(nx, FT(-na), slack, t0, t1))
-          send(h, W{ t0, t1, nx, FT(-ny), FT(offset - na), origin, 0.f, true, true, true });
+          send(h, W{ t0, t1, nx, FT(-ny), FT(offset - na), origin, 0.f, 0.f, true, true, true });
       }
       to_next_frame(h, ax, ay);
       to_next_frame(h, bx, by);
@@ -171,7 +179,7 @@ private:
 
   static W circular(const FT& x, const FT& y, const FT& sigma, int origin)
   {
-    return W{ FT(0), FT(0), x, y, sigma, origin, 0.f, false, true, true };
+    return W{ FT(0), FT(0), x, y, sigma, origin, 0.f, 0.f, false, true, true };
   }
 
   // Restricts [t0, t1] to where a t + b >= -slack. Returns false if nothing is left.
@@ -203,7 +211,7 @@ private:
 
   // ---- reaching vertices ----
 
-  void reach(int v, const FT& d, int origin, double angle)
+  void reach(int v, const FT& d, int origin, float error, double angle)
   {
     Vertex_label<FT>& label = m_labels[v];
     if(! (d < label.distance - FT(Tol::tie()) * label.distance))
@@ -211,6 +219,7 @@ private:
     label.distance = d;
     label.origin = origin;
     label.angle = angle;
+    label.error = error;
     m_queue.push_vertex(v, to_double(d));
   }
 
@@ -218,17 +227,23 @@ private:
   // does, and into its faces where paths may bend.
   void leave_vertex(int v)
   {
+    if(! m_labels[v].is_passed)
+    {
+      m_labels[v].is_passed = true;
+      ++m_passed;
+    }
     const int first = m_mesh.halfedge_of_vertex[v];
     if(first == -1)
       return;
     const FT d = m_labels[v].distance;
+    const float error = m_labels[v].error;
     int h = first;
     do
     {
-      reach(m_mesh.target(h), d + m_mesh.length_of(h), v, angle_of_reverse(h));
+      reach(m_mesh.target(h), d + m_mesh.length_of(h), v, error, angle_of_reverse(h));
       const int p = Mesh::prev(h);
       if(m_mesh.opposite[p] == -1)
-        reach(m_mesh.source(p), d + m_mesh.length_of(p), v, m_mesh.direction[p]);
+        reach(m_mesh.source(p), d + m_mesh.length_of(p), v, error, m_mesh.direction[p]);
       h = m_mesh.next_around_source(h);
     }
     while(h != -1 && h != first);
@@ -271,10 +286,11 @@ private:
         const typename Mesh::Apex a = m_mesh.apex[n];
         W w = circular(a.x, a.y, d, v);
         w.b1 = m_mesh.length_of(n);
+        w.error = m_labels[v].error;
         if(w.y == FT(0))
         {
           if(w.x > FT(0) && w.x < w.b1 && m_mesh.opposite[n] != -1)
-            leave_point(m_mesh.opposite[n], FT(w.b1 - w.x), d, v);
+            leave_point(m_mesh.opposite[n], FT(w.b1 - w.x), d, v, m_labels[v].error);
         }
         else
         {
@@ -299,7 +315,7 @@ private:
   }
 
   // Sends rays from the place t on halfedge h into the face of h.
-  void leave_point(int h, const FT& t, const FT& sigma, int origin)
+  void leave_point(int h, const FT& t, const FT& sigma, int origin, float error)
   {
     FT x = t, y(0);
     for(int k = 0; k < 2; ++k)
@@ -308,17 +324,18 @@ private:
       h = Mesh::next(h);
       const FT length = m_mesh.length_of(h);
       if(k == 0)
-        reach(m_mesh.target(h), sigma + CGAL::sqrt((x - length) * (x - length) + y * y), origin,
+        reach(m_mesh.target(h), sigma + CGAL::sqrt((x - length) * (x - length) + y * y), origin, error,
               m_mesh.direction[Mesh::next(h)] + m_mesh.corner_angle(Mesh::next(h)) -
               std::atan2(to_double(y), to_double(FT(length - x))));
       if(y > FT(0))
       {
         W w = circular(x, y, sigma, origin);
         w.b1 = length;
+        w.error = error;
         send(h, w);
       }
       else if(x > FT(0) && x < length && m_mesh.opposite[h] != -1)
-        leave_point(m_mesh.opposite[h], FT(length - x), sigma, origin);
+        leave_point(m_mesh.opposite[h], FT(length - x), sigma, origin, error);
     }
   }
 
@@ -327,6 +344,8 @@ private:
   void propagate_edge(int e)
   {
     List& list = m_lists[e];
+    if(m_allowed_error > 0)
+      merge_pending(list);
     m_due.clear();
     float later = std::numeric_limits<float>::infinity();
     for(W& w : list)
@@ -342,6 +361,13 @@ private:
       }
     if(later < std::numeric_limits<float>::infinity())
       m_queue.push_edge(e, later);
+    else if(! m_keep_windows)
+    {
+      if(m_queue.front() >= latest(e))
+        List().swap(list);
+      else
+        m_queue.push_edge(e, latest(e) < unreached() / 4 ? latest(e) + m_queue.step() : m_queue.step_end());
+    }
 
     const int c = m_mesh.halfedge_of_edge[e], o = m_mesh.opposite[c];
     for(W& w : m_due)
@@ -354,6 +380,27 @@ private:
         cross(o, w);
       }
     }
+  }
+
+  // No point of an edge is farther than this: one goes there over the nearer end.
+  double latest(int e) const
+  {
+    const int h = m_mesh.halfedge_of_edge[e];
+    return to_double(FT((m_labels[m_mesh.source(h)].distance + m_labels[m_mesh.target(h)].distance + m_mesh.length[e]) / FT(2)));
+  }
+
+  void merge_pending(List& list) const
+  {
+    std::size_t n = 0;
+    W merged;
+    for(std::size_t k = 0; k < list.size(); ++k)
+    {
+      if(n > 0 && list[n - 1].pending && list[k].pending && merge_windows(list[n - 1], list[k], m_allowed_error, merged))
+        list[n - 1] = merged;
+      else if(n++ != k)
+        list[n - 1] = list[k];
+    }
+    list.resize(n);
   }
 
   // Takes a window on h, given in the frame of h with its source on the other side, through the face of h.
@@ -378,7 +425,7 @@ private:
       {
         // the angle from the way to p, (-rx, -ry), to the way back, (-bx, -by)
         const double angle = std::atan2(to_double(FT(rx * by - ry * bx)), to_double(FT(rx * bx + ry * by)));
-        reach(m_mesh.target(right), d, w.origin, m_mesh.direction[left] + angle);
+        reach(m_mesh.target(right), d, w.origin, w.error, m_mesh.direction[left] + angle);
       }
     }
 
@@ -461,6 +508,8 @@ private:
     if(m_labels[m_mesh.source(h)].distance + w.b1 < d1 * margin ||
        m_labels[m_mesh.target(h)].distance + (l - w.b0) < d0 * margin)
       return;
+    if(! m_keep_windows && latest(m_mesh.edge_of[h]) <= m_queue.front())
+      return;
     store(h, w, true);
   }
   void send(int h, W&& w) { W v = w; send(h, v); }
@@ -480,12 +529,14 @@ private:
   }
 
   const Mesh& m_mesh;
+  double m_allowed_error;
+  bool m_keep_windows;
   std::vector<List> m_lists;
   std::vector<Vertex_label<FT> > m_labels;
   Front_queue m_queue;
   Window_envelope<FT> m_envelope;
   std::vector<W> m_due;
-  std::size_t m_propagations = 0;
+  std::size_t m_propagations = 0, m_passed = 0;
 };
 
 } // namespace internal

@@ -41,6 +41,12 @@ struct Polygon_soup
   std::vector<Polygon> polygons;
 };
 
+// A number with the word for what is counted.
+inline std::string count_of(std::size_t n, const std::string& singular, const std::string& plural)
+{
+  return std::to_string(n) + " " + (n == 1 ? singular : plural);
+}
+
 // Reads numbers and words from a text in memory and knows the line it is in.
 //
 // Errors keep the first message and make all later reads fail, so that callers may read several

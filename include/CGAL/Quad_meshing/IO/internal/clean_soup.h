@@ -24,11 +24,6 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-inline std::string count_of(std::size_t n, const std::string& singular, const std::string& plural)
-{
-  return std::to_string(n) + " " + (n == 1 ? singular : plural);
-}
-
 typedef std::pair<std::size_t, std::size_t> Soup_edge; // its vertices in ascending order
 
 inline Soup_edge soup_edge(const Polygon_soup::Polygon& polygon, std::size_t k)
@@ -213,11 +208,7 @@ inline std::size_t merge_vertices(Polygon_soup& soup, std::vector<std::string>& 
   const Soup_fit before = fit_of_soup(soup), after = fit_of_soup(merged);
   if(after.non_manifold_edges > before.non_manifold_edges ||
      (after.border_edges >= before.border_edges && dropped == 0))
-  {
-    repairs.push_back(count_of(number_merged, "vertex", "vertices") +
-                      " at the place of another one kept apart, as the faces fit together without merging");
     return 0;
-  }
   repairs.push_back(count_of(number_merged, "vertex", "vertices") + " at the place of another one merged");
   soup = std::move(merged);
   return dropped;

@@ -13,6 +13,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <memory>
 
 namespace CGAL {
@@ -67,6 +68,20 @@ public:
     for(int j = 0; j < B.cols(); ++j)
       X.col(j) = solve(Eigen::VectorXd(B.col(j)));
     return X;
+  }
+
+  // B' A^-1 B
+  Eigen::MatrixXd product_with_inverse(const Eigen::SparseMatrix<double>& B) const
+  {
+    const int columns_at_once = 64;
+    const Eigen::SparseMatrix<double> transposed = B.transpose();
+    Eigen::MatrixXd product(B.cols(), B.cols());
+    for(int begin = 0; begin < B.cols(); begin += columns_at_once)
+    {
+      const int count = (std::min)(columns_at_once, static_cast<int>(B.cols()) - begin);
+      product.middleCols(begin, count) = transposed * solve(Eigen::MatrixXd(B.middleCols(begin, count)));
+    }
+    return product;
   }
 
 private:

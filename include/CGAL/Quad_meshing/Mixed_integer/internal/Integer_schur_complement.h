@@ -13,7 +13,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -40,15 +39,8 @@ public:
     if(!factorize_with_shift(solver, submatrix(problem.A, R, R), factorizations))
       return false;
 
-    const int m = static_cast<int>(I.size());
-    m_schur = Eigen::MatrixXd(submatrix(problem.A, I, I));
     const Eigen::SparseMatrix<double> transposed = m_coupling.transpose();
-    for(int begin = 0; begin < m; begin += columns_at_once)
-    {
-      const int count = (std::min)(static_cast<int>(columns_at_once), m - begin);
-      const Eigen::MatrixXd Z = solver.solve(Eigen::MatrixXd(m_coupling.middleCols(begin, count)));
-      m_schur.middleCols(begin, count) -= transposed * Z;
-    }
+    m_schur = Eigen::MatrixXd(submatrix(problem.A, I, I)) - solver.product_with_inverse(m_coupling);
     m_schur = Eigen::MatrixXd(0.5 * (m_schur + m_schur.transpose()));
 
     m_real_rhs = subvector(problem.b, R);
@@ -91,8 +83,6 @@ public:
   }
 
 private:
-  enum { columns_at_once = 64 };
-
   // The integers may leave directions without energy; they get a little.
   bool invert_or_shift()
   {

@@ -99,7 +99,7 @@ private:
   bool search(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double& radius)
   {
     const double pruning_exponents[] = { 1., 0.7, 0.5, 0.35 };
-    const double pruned_fraction = 0.15; // of all nodes, per pruned search
+    const double pruned_fraction = 0.12; // of all nodes, per pruned search
     for(double exponent : pruning_exponents)
     {
       if(enumeration.expected_nodes(radius) <= pruned_fraction * m_maximum_nodes)
@@ -119,45 +119,31 @@ private:
     return complete;
   }
 
-  // Returns the largest squared radius that was searched in vain, or `radius` if all was searched.
+  // Returns a squared radius within which no point lies, other than `best` on its border.
   double prove_bound(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double& radius)
   {
     const int steps = 40;
-    double proven = 0.;
-    enumeration.set_pruning(0.);
-    while(proven < radius)
+    const double share = 0.8; // of the nodes left, in view of the error of estimates
+    const double left = m_maximum_nodes - enumeration.nodes();
+    double low = 0., high = radius;
+    for(int i = 0; i < steps; ++i)
     {
-      const double left = m_maximum_nodes - enumeration.nodes();
-      if(left < 1. || !m_go_further())
-        break;
-      // The largest radius that promises to take half of what is left.
-      double low = proven, high = radius;
-      if(enumeration.expected_nodes(high) > 0.5 * left)
-        for(int i = 0; i < steps; ++i)
-        {
-          const double middle = 0.5 * (low + high);
-          (enumeration.expected_nodes(middle) > 0.5 * left ? high : low) = middle;
-        }
-      else
-        low = radius;
-      if(low <= proven * 1.001)
-        break;
-      double reach = low;
-      const bool complete = enumeration.run(reach, left, m_go_further);
-      if(enumeration.found())
-      {
-        best = enumeration.best();
-        radius = reach;
-      }
-      if(!complete)
-        break;
-      proven = enumeration.found() ? radius : low;
+      const double middle = 0.5 * (low + high);
+      (enumeration.expected_nodes(middle) > share * left ? high : low) = middle;
     }
-    return proven;
+    double reach = low;
+    enumeration.set_pruning(0.);
+    const bool complete = enumeration.run(reach, left, m_go_further);
+    if(enumeration.found())
+    {
+      best = enumeration.best();
+      radius = reach;
+    }
+    return complete ? reach : 0.;
   }
 
   // The estimate of the size of a tree may be too large by this factor before it is believed.
-  static constexpr double estimate_slack = 2.;
+  static constexpr double estimate_slack = 1.25;
 
   const Eigen::MatrixXd& m_R;
   const Eigen::VectorXd& m_target;

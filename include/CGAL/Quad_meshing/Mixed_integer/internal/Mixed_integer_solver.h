@@ -13,8 +13,8 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_greedy_rounding.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_lattice_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_schur_complement.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
@@ -149,9 +149,8 @@ private:
       return seconds < m_options.maximum_running_time && m_options.go_further(0.5);
     };
     const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
-    const Eigen::MatrixXd R = schur.cholesky().matrixU();
-    Lattice_rounding lattice(R, schur.target(), m_options.maximum_number_of_nodes, go_further);
-    const Lattice_result result = lattice.run(greedy, true);
+    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes, go_further);
+    const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);
     m_solution.nodes = result.nodes;
     m_is_proven = result.is_optimal;

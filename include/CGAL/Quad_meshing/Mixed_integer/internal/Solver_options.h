@@ -25,7 +25,7 @@ struct Solver_options
   double constraint_tolerance = 1e-6;
   double rounding_tolerance = 1e-4;
   int gauss_seidel_iterations = 100000;
-  int conjugate_gradient_iterations = 50;
+  int conjugate_gradient_iterations = 10;
   bool simultaneous_rounding = true;
   int maximum_dense_integers = 1000;
   double maximum_running_time = std::numeric_limits<double>::infinity();

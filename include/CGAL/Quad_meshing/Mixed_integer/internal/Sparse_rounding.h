@@ -78,9 +78,9 @@ bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
                             Mixed_integer_solution& solution, const Solver_options& options)
 {
   typedef Three_level_solver<LinearSolver> Solver;
-  // Local updates leave smooth errors below their tolerance. They add up; a global update after this
-  // fraction of all roundings takes them away.
-  const double refresh_fraction = 0.02;
+  // Local updates leave smooth errors below their tolerance. They add up; a new factorization after this
+  // fraction of all roundings takes them away. It also is the better preconditioner from then on.
+  const double refresh_fraction = 0.1;
 
   Solver solver(problem.A, problem.b, options.rounding_tolerance, options.gauss_seidel_iterations,
                 options.conjugate_gradient_iterations);
@@ -135,7 +135,7 @@ bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
     typename Solver::Level level;
     if(since_refresh >= refresh_interval && rounded < m)
     {
-      level = solver.update_globally(solution.factorizations);
+      level = solver.factorize(solution.factorizations) ? Solver::FACTORIZATION : Solver::FAILED;
       since_refresh = 0;
     }
     else

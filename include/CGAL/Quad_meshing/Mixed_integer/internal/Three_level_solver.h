@@ -80,6 +80,7 @@ public:
     if(m_x[i] == value)
       return;
     m_x[i] = value;
+    m_allowed_steps += m_gauss_seidel_iterations;
     enqueue_neighbors(i);
   }
 
@@ -88,12 +89,6 @@ public:
   {
     if(gauss_seidel())
       return GAUSS_SEIDEL;
-    return update_globally(factorizations);
-  }
-
-  // Skips level 1.
-  Level update_globally(int& factorizations)
-  {
     clear_queue();
     mark_all_changed();
     if(conjugate_gradient())
@@ -169,6 +164,7 @@ private:
       m_is_queued[m_queue[m_head]] = 0;
     m_queue.clear();
     m_head = 0;
+    m_allowed_steps = 0;
   }
 
   double residual(int i) const
@@ -181,9 +177,9 @@ private:
 
   bool gauss_seidel()
   {
-    for(int iteration = 0; m_head < m_queue.size(); ++iteration)
+    for(; m_head < m_queue.size(); --m_allowed_steps)
     {
-      if(iteration >= m_gauss_seidel_iterations)
+      if(m_allowed_steps <= 0)
         return false;
       const int i = m_queue[m_head++];
       m_is_queued[i] = 0;
@@ -249,6 +245,7 @@ private:
   std::vector<char> m_is_fixed, m_is_queued, m_is_changed;
   std::vector<int> m_queue, m_changes;
   std::size_t m_head = 0;
+  double m_allowed_steps = 0.; // of Gauss-Seidel, until the next level takes over
   double m_tolerance;
   int m_gauss_seidel_iterations, m_conjugate_gradient_iterations;
 };

@@ -17,12 +17,12 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Orientation_energy.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Separations.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <vector>
 
 namespace CGAL {
@@ -47,22 +47,28 @@ public:
     return static_cast<int>(std::count(coordinates.is_integer.begin(), coordinates.is_integer.end(), true));
   }
 
-  // The map without integer conditions, all fold-overs removed: where things lie before they are rounded.
-  // Returns the number of faces that stay folded.
-  int solve_seamless(double anisotropy)
+  // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are rounded.
+  // Returns false if the energy could not be factorized.
+  bool solve_seamless(double anisotropy)
   {
-    const std::vector<double> weight(mesh.number_of_faces(), 1.);
-    const Orientation_energy energy(coordinates, faces, weight, anisotropy);
+    const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy);
     if(!reduction.compute(energy.A, energy.b, coordinates.is_integer))
-      return mesh.number_of_faces();
+      return false;
     relaxed = reduction.complete(reduction.S.ldlt().solve(reduction.c));
+    if(!relaxed.allFinite())
+      return false;
+    constant = energy.constant;
+    relaxed_energy = reduction.energy(relaxed) + constant;
+    // Moving vertices alone is local and nearly always enough; translations and grid lines reach far.
     Map_optimization optimization(coordinates, faces);
-    return static_cast<int>(optimization.untangle(relaxed, std::vector<bool>(relaxed.size(), false)).size());
+    if(!optimization.untangle(relaxed, coordinates.is_integer).empty())
+      optimization.untangle(relaxed, std::vector<bool>(relaxed.size(), false));
+    return true;
   }
 
   // Chooses the integers: the least energy that the method finds, then again with a demand on every two things that
-  // were rounded onto each other, until none are. Returns the number of separations that could not be kept.
-  int round(Rounding_method method, const std::vector<bool>& is_aligned)
+  // were rounded onto each other, until there are none or no demand is left to be made.
+  void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
     const Separations separations(coordinates, grid_points(), is_aligned, relaxed);
     std::vector<int> number(coordinates.number_of_variables(), -1);
@@ -74,33 +80,53 @@ public:
     for(std::size_t i = 0; i < reduction.integers.size(); ++i)
       problem.set_integer(static_cast<int>(i));
     std::vector<bool> demanded(separations.list.size(), false);
-    int broken = 0;
-    for(int round = 0; round < 20; ++round)
+    bool added = true;
+    while(added)
     {
-      const Mixed_integer_solution s = solve_mixed_integer(problem, parameters::rounding_method(method));
-      x = reduction.complete(s.x);
-      broken = 0;
-      bool added = false;
+      x = reduction.complete(solve_mixed_integer(problem, parameters::rounding_method(method)).x);
+      added = false;
+      number_of_broken_separations = 0;
       for(std::size_t i = 0; i < separations.list.size(); ++i)
       {
         const Separations::Separation& separation = separations.list[i];
         if(separation.holds(x))
           continue;
-        ++broken;
+        ++number_of_broken_separations;
         if(demanded[i])
           continue;
         demanded[i] = added = true;
+        ++number_of_separations;
         const int c = separation.dominant();
         Mixed_integer_problem::Linear_form form;
         for(const Integer_form::Term& t : separation.offset[c].terms)
           form.emplace_back(number[t.first], t.second);
         problem.add_equality_constraint(form, separation.wanted[c] > 0 ? 1 : -1);
       }
-      std::cerr << "[separations " << separations.list.size() << " broken " << broken << " conflicting " << s.conflicting_constraints.size() << "] ";
-      if(!added)
-        break;
     }
-    return broken;
+    rounded_energy = reduction.energy(x) + constant;
+  }
+
+  // With the integers fixed: stiffening, as long as it is asked for and there are fold-overs, then moving vertices.
+  void remove_fold_overs(unsigned int stiffening_iterations, double anisotropy)
+  {
+    Map_optimization optimization(coordinates, faces);
+    Stiffening stiffening(coordinates, faces);
+    for(unsigned int i = 0; i < stiffening_iterations && !optimization.folded_faces(x, 0).empty(); ++i)
+    {
+      stiffening.update_weights(x);
+      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy);
+      Integer_reduction stiffened;
+      if(!stiffened.factorize(energy.A, energy.b, coordinates.is_integer))
+        break;
+      Eigen::VectorXd y(stiffened.integers.size());
+      for(std::size_t k = 0; k < stiffened.integers.size(); ++k)
+        y[k] = x[stiffened.integers[k]];
+      const Eigen::VectorXd z = stiffened.complete(y);
+      if(optimization.folded_faces(z, 0).size() >= optimization.folded_faces(x, 0).size())
+        break; // more of it can make things worse
+      x = z;
+    }
+    optimization.untangle(x, coordinates.is_integer);
   }
 
   // The vertices that lie on grid points whatever the real variables are: singular ones, and those where aligned
@@ -119,18 +145,6 @@ public:
             result[v] = false;
     }
     return result;
-  }
-
-  std::vector<int> untangle()
-  {
-    Map_optimization optimization(coordinates, faces);
-    return optimization.untangle(x, coordinates.is_integer);
-  }
-
-  void improve(int steps)
-  {
-    Map_optimization optimization(coordinates, faces);
-    optimization.improve(x, coordinates.is_integer, steps);
   }
 
   // Rounds the real variables to multiples of a power of two that is so small that no sum of a corner's terms and no
@@ -174,7 +188,12 @@ public:
   const Seamless_coordinates coordinates;
   const Face_gradients faces;
   Eigen::VectorXd relaxed, x;
+  double relaxed_energy = 0, rounded_energy = 0;
+  int number_of_separations = 0, number_of_broken_separations = 0;
+
+private:
   Integer_reduction reduction;
+  double constant = 0;
 };
 
 } // namespace internal

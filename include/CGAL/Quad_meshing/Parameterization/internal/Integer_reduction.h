@@ -31,9 +31,11 @@ public:
   Eigen::MatrixXd S;
   Eigen::VectorXd c;
 
-  // Returns false if the energy is not definite in the real variables.
-  bool compute(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+  // Factorizes the part of the real variables; enough for `complete()`. Returns false if it is not definite.
+  bool factorize(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
   {
+    matrix = A;
+    rhs = b;
     const int n = static_cast<int>(A.rows());
     std::vector<int> number(n);
     integers.clear();
@@ -63,18 +65,21 @@ public:
     RR.setFromTriplets(rr.begin(), rr.end());
     RI.resize(nr, ni);
     RI.setFromTriplets(ri.begin(), ri.end());
-    b_reals.resize(nr);
-    for(int i = 0; i < nr; ++i)
-      b_reals[i] = b[reals[i]];
-    if(nr > 0 && !solver.compute(RR))
-      return false;
+    return nr == 0 || solver.compute(RR);
+  }
 
+  // Factorizes, then computes S and c. Returns false if the energy is not definite in the real variables.
+  bool compute(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+  {
+    if(!factorize(A, b, is_integer))
+      return false;
+    const int ni = static_cast<int>(integers.size());
     c.resize(ni);
     for(int i = 0; i < ni; ++i)
       c[i] = b[integers[i]];
-    if(nr == 0)
+    if(reals.empty())
       return true;
-    c -= RI.transpose() * solver.solve(b_reals);
+    c -= RI.transpose() * solver.solve(rhs_of_reals());
     // In blocks of columns: all of them at once are a dense matrix of the size of the mesh times the integers.
     const int block = 64;
     for(int j = 0; j < ni; j += block)
@@ -94,16 +99,27 @@ public:
       x[integers[i]] = y[i];
     if(reals.empty())
       return x;
-    const Eigen::VectorXd r = solver.solve(Eigen::VectorXd(b_reals - RI * y));
+    const Eigen::VectorXd r = solver.solve(Eigen::VectorXd(rhs_of_reals() - RI * y));
     for(std::size_t i = 0; i < reals.size(); ++i)
       x[reals[i]] = r[i];
     return x;
   }
 
+  // The energy, without the constant, of an assignment of all variables.
+  double energy(const Eigen::VectorXd& x) const { return 0.5 * x.dot(matrix * x) - x.dot(rhs); }
+
 private:
-  Eigen::SparseMatrix<double> RI;
-  Eigen::VectorXd b_reals;
+  Eigen::SparseMatrix<double> matrix, RI;
+  Eigen::VectorXd rhs;
   Sparse_cholesky solver;
+
+  Eigen::VectorXd rhs_of_reals() const
+  {
+    Eigen::VectorXd r(reals.size());
+    for(std::size_t i = 0; i < reals.size(); ++i)
+      r[i] = rhs[reals[i]];
+    return r;
+  }
 };
 
 } // namespace internal

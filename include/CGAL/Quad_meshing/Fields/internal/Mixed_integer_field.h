@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_MIXED_INTEGER_FIELD_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_MIXED_INTEGER_FIELD_H
+
+#include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
+#include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The smoothest cross field as a mixed-integer problem, as the thesis poses it in 8.2.
+//
+// A turn of one cross by a right angle changes its angle and the jumps around it, but not the
+// field. So one jump per free face can be fixed: those on a forest of dual trees that grow from the
+// faces with given directions, by Dijkstra's algorithm over the distances of centroids. What is left
+// is one real variable per free face and one integer per remaining edge.
+class Mixed_integer_field
+{
+public:
+  explicit Mixed_integer_field(const Field_problem& problem)
+    : m_problem(problem), m_mesh(problem.mesh)
+    , m_angle_variable(problem.mesh.number_of_faces(), -1)
+    , m_jump_variable(problem.mesh.number_of_edges(), -1)
+  {
+    grow_forest();
+    set_up();
+  }
+
+  int number_of_integers() const { return m_system.number_of_integers(); }
+  const Mixed_integer_problem& system() const { return m_system; }
+
+  // Sets the field to the solution found by a method for mixed-integer problems. Returns false if there is none.
+  bool solve(Rounding_method method, Cross_field& field) const
+  {
+    Eigen::VectorXd x;
+    if(m_system.number_of_variables() > 0)
+    {
+      x = solve_mixed_integer(m_system, parameters::rounding_method(method)).x;
+      if(x.size() == 0)
+        return false;
+    }
+    field.angle.resize(m_mesh.number_of_faces());
+    field.period_jump.resize(m_mesh.number_of_edges());
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      field.angle[f] = m_angle_variable[f] != -1 ? x[m_angle_variable[f]] : m_problem.given_angle[f];
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+      field.period_jump[e] = m_jump_variable[e] != -1 ? static_cast<int>(std::lround(x[m_jump_variable[e]])) : fixed_jump(e);
+    return true;
+  }
+
+private:
+  // The jump between two given faces is the nearest integer, on the forest it is zero.
+  int fixed_jump(int e) const
+  {
+    if(!m_problem.is_inner(e) || m_in_forest[e])
+      return 0;
+    return m_problem.nearest_jump(e, m_problem.given_angle[m_problem.first_face(e)], m_problem.given_angle[m_problem.second_face(e)]);
+  }
+
+  void grow_forest()
+  {
+    typedef std::pair<double, int> Entry;
+    const int nf = m_mesh.number_of_faces();
+    m_in_forest.assign(m_mesh.number_of_edges(), 0);
+    std::vector<double> distance(nf, std::numeric_limits<double>::infinity());
+    std::vector<int> parent_edge(nf, -1);
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+    auto add_root = [&](int f)
+    {
+      distance[f] = 0;
+      queue.push(Entry(0., f));
+    };
+    for(int f = 0; f < nf; ++f)
+      if(m_problem.constrained[f])
+        add_root(f);
+    for(int f : m_problem.anchor)
+      if(f != -1)
+        add_root(f);
+    auto centroid = [&](int f)
+    {
+      const std::array<int, 3>& c = m_mesh.corners[f];
+      return CGAL::centroid(m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]]);
+    };
+    while(!queue.empty())
+    {
+      const Entry top = queue.top();
+      queue.pop();
+      const int f = top.second;
+      if(top.first > distance[f])
+        continue;
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        if(m_mesh.opposite[h] == -1)
+          continue;
+        const int g = m_mesh.opposite[h] / 3;
+        const double d = top.first + std::sqrt((centroid(g) - centroid(f)).squared_length());
+        if(d < distance[g])
+        {
+          distance[g] = d;
+          parent_edge[g] = m_mesh.edge_of[h];
+          queue.push(Entry(d, g));
+        }
+      }
+    }
+    for(int e : parent_edge)
+      if(e != -1)
+        m_in_forest[e] = 1;
+  }
+
+  void set_up()
+  {
+    std::vector<char> is_anchor(m_mesh.number_of_faces(), 0);
+    for(int f : m_problem.anchor)
+      if(f != -1)
+        is_anchor[f] = 1;
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      if(!m_problem.constrained[f] && !is_anchor[f])
+        m_angle_variable[f] = m_system.add_variable();
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+    {
+      if(!m_problem.is_inner(e))
+        continue;
+      const int f = m_problem.first_face(e), g = m_problem.second_face(e);
+      if(m_problem.constrained[f] && m_problem.constrained[g])
+        continue;
+      if(!m_in_forest[e])
+        m_jump_variable[e] = m_system.add_variable(true);
+
+      Mixed_integer_problem::Linear_form form;
+      double constant = m_problem.frames.kappa(e);
+      if(m_angle_variable[f] != -1) form.emplace_back(m_angle_variable[f], 1.);
+      else constant += m_problem.given_angle[f];
+      if(m_angle_variable[g] != -1) form.emplace_back(m_angle_variable[g], -1.);
+      else constant -= m_problem.given_angle[g];
+      if(m_jump_variable[e] != -1) form.emplace_back(m_jump_variable[e], quarter_turn);
+      m_system.add_squared_residual(form, -constant);
+    }
+  }
+
+  const Field_problem& m_problem;
+  const Indexed_triangle_mesh& m_mesh;
+  Mixed_integer_problem m_system;
+  std::vector<int> m_angle_variable;  // per face, -1 if the angle is fixed
+  std::vector<int> m_jump_variable;   // per edge, -1 if the jump is fixed
+  std::vector<char> m_in_forest;      // per edge
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_MIXED_INTEGER_FIELD_H

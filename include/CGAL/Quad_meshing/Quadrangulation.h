@@ -1,0 +1,363 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_QUADRANGULATION_H
+#define CGAL_QUAD_MESHING_QUADRANGULATION_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Quadrangulation_result.h>
+#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/surface_topology.h>
+#include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/optional.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+\ingroup PkgQuadMeshingRef
+
+\brief The way from a triangle mesh to a quad mesh, with everything that the stages leave behind.
+
+`quadrangulate()` is this class in one call. Use the class to look at the stages: the prepared triangle mesh with its feature
+edges, the cross field, the integer-grid map.
+
+The input is copied into a mesh of its own, in which edges are split where that is needed (`split_for_alignment()`).
+
+\sa `quadrangulate()`
+*/
+class Quadrangulation
+{
+public:
+  typedef Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Surface_mesh<Kernel::Point_3> Mesh;
+  typedef Polygon_mesh_processing::Face_location<Mesh, double> Location;
+
+  /// \name Parameters
+  /// The defaults are those of `quadrangulate()`.
+  /// @{
+  double target_edge_length = 0;         ///< 0: from `target_number_of_quads` and the area
+  double target_number_of_quads = 4000;  ///< counts only where `target_edge_length` is 0
+  double sharpness_angle = 40;           ///< in degrees, for the detection of feature edges
+  bool align_boundary = true;            ///< whether borders become chains of quad edges
+  Rounding_method rounding_method = GREEDY_ROUNDING; ///< how the integers of the map are chosen
+  double anisotropy_weight = 1;          ///< the weight of lengths against directions, in (0, 1]
+  unsigned int smoothing_iterations = 20; ///< sweeps of the final smoothing; 0 keeps the extracted points
+  /// @}
+
+  /// \name What the Stages Leave Behind
+  /// @{
+  Mesh mesh;                                               ///< the prepared triangle mesh
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;   ///< its feature edges
+  Mesh::Property_map<Mesh::Face_index, std::size_t> origin; ///< the number of the input face that a face lies in
+  Mesh::Property_map<Mesh::Face_index, double> angle;      ///< the cross field
+  Mesh::Property_map<Mesh::Edge_index, int> period_jump;   ///< the cross field
+  Mesh::Property_map<Mesh::Vertex_index, int> index;       ///< the singularities of the cross field, in quarters
+  Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv; ///< the integer-grid map
+  Mesh quad_mesh;                                          ///< the result
+  Mesh::Property_map<Mesh::Vertex_index, Location> location; ///< where its vertices lie on `mesh`
+  Mesh::Property_map<Mesh::Edge_index, bool> quad_edge_is_feature; ///< its edges along feature edges
+  /// @}
+
+  /// copies a triangle mesh. The face of number `i` in `faces(tm)` is the origin `i` of the faces that it is split into.
+  template <typename TriangleMesh, typename VertexPointMap>
+  Quadrangulation(const TriangleMesh& tm, VertexPointMap vpm)
+  {
+    add_property_maps();
+    std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, Mesh::Face_index> > copies;
+    copy_face_graph(tm, mesh, parameters::vertex_point_map(vpm).face_to_face_output_iterator(std::back_inserter(copies)));
+    for(std::size_t i = 0; i < copies.size(); ++i) // in the order of faces(tm)
+      origin[copies[i].second] = i;
+  }
+
+  /// copies a triangle mesh whose feature edges are known; none are detected then.
+  template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsFeatureMap>
+  Quadrangulation(const TriangleMesh& tm, VertexPointMap vpm, EdgeIsFeatureMap edge_is_feature)
+    : Quadrangulation(tm, vpm)
+  {
+    features_are_given = true;
+    std::size_t i = 0;
+    for(auto e : edges(tm)) // edges are copied in the order of edges(tm)
+      is_feature[Mesh::Edge_index(static_cast<Mesh::size_type>(i++))] = get(edge_is_feature, e) && !is_border(e, tm);
+  }
+
+  /// \name Running
+  /// @{
+
+  /// runs all the stages. `direction(i)` gives a `boost::optional<Kernel::Vector_3>`, the direction that the field has to have in the
+  /// input face of number `i`.
+  template <typename Direction, typename Visitor>
+  Quadrangulation_result run(Direction direction, Visitor& visitor)
+  {
+    Real_timer timer;
+    timer.start();
+    Quadrangulation_result result;
+    run_stages(direction, visitor, result);
+    result.total_seconds = timer.time();
+    return result;
+  }
+
+  /// @}
+
+private:
+  bool features_are_given = false;
+
+  void add_property_maps()
+  {
+    is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+    origin = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:origin", 0).first;
+    angle = mesh.add_property_map<Mesh::Face_index, double>("f:angle", 0).first;
+    period_jump = mesh.add_property_map<Mesh::Edge_index, int>("e:period_jump", 0).first;
+    index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index", 0).first;
+    uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+    location = quad_mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
+    quad_edge_is_feature = quad_mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  }
+
+  template <typename Direction, typename Visitor>
+  void run_stages(Direction& direction, Visitor& visitor, Quadrangulation_result& result)
+  {
+    typedef Quadrangulation_result Result;
+    result.input_faces = mesh.number_of_faces();
+    topology = internal::surface_topology(mesh);
+    result.components = topology.size();
+    if(!choose_length(result) || !prepare(result) || !compute_field(direction, visitor, result) ||
+       !compute_map(visitor, result) || !extract(visitor, result))
+      return;
+    smooth(visitor, result);
+    if(result.status != Result::STOPPED)
+      check(result);
+  }
+
+  static bool fail(Quadrangulation_result& result, Quadrangulation_result::Status status, const std::string& message)
+  {
+    result.status = status;
+    result.message = message;
+    return false;
+  }
+
+  bool choose_length(Quadrangulation_result& result)
+  {
+    typedef Quadrangulation_result Result;
+    if(mesh.number_of_faces() == 0)
+      return fail(result, Result::INVALID_INPUT, "The mesh has no faces.");
+    for(Mesh::Vertex_index v : mesh.vertices())
+      for(int c = 0; c < 3; ++c)
+        if(!std::isfinite(mesh.point(v)[c]))
+          return fail(result, Result::INVALID_INPUT, "A vertex has a coordinate that is not a finite number.");
+    const double area = Polygon_mesh_processing::area(mesh);
+    if(!(area > 0))
+      return fail(result, Result::INVALID_INPUT, "The mesh has no area.");
+    if(target_edge_length < 0 || !std::isfinite(target_edge_length))
+      return fail(result, Result::INVALID_INPUT, "The target edge length is not a positive number.");
+    if(target_edge_length == 0 && !(target_number_of_quads > 0 && std::isfinite(target_number_of_quads)))
+      return fail(result, Result::INVALID_INPUT, "The target number of quads is not a positive number.");
+    length = target_edge_length > 0 ? target_edge_length : std::sqrt(area / target_number_of_quads);
+    const double most_quads = 5e7;
+    if(area / (length * length) > most_quads)
+      return fail(result, Result::INVALID_INPUT, "The target edge length asks for more than 50 million quads.");
+    const Bbox_3 box = Polygon_mesh_processing::bbox(mesh);
+    const double diagonal = std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
+    if(length > diagonal)
+      return fail(result, Result::INVALID_INPUT, "The target edge length is larger than the model.");
+    result.target_edge_length = length;
+    return true;
+  }
+
+  bool prepare(Quadrangulation_result& result)
+  {
+    if(!features_are_given)
+    {
+      const Feature_edges_result features = detect_feature_edges(mesh, sharpness_angle, length, is_feature);
+      result.feature_edges = features.number_of_edges;
+      result.dropped_feature_edges = features.number_of_dropped_edges;
+    }
+    else
+      for(Mesh::Edge_index e : mesh.edges())
+        result.feature_edges += is_feature[e];
+    // A map is linear on a triangle; a few triangles per quad let it bend.
+    const double longest_relative_edge = 1.5;
+    split_for_alignment(mesh, mesh.points(), is_feature, align_boundary, origin, longest_relative_edge * length);
+    result.prepared_faces = mesh.number_of_faces();
+    return true;
+  }
+
+  template <typename Direction, typename Visitor>
+  bool compute_field(Direction& direction, Visitor& visitor, Quadrangulation_result& result)
+  {
+    typedef Quadrangulation_result Result;
+    auto directions = mesh.add_property_map<Mesh::Face_index, boost::optional<Kernel::Vector_3> >("f:direction").first;
+    for(Mesh::Face_index f : mesh.faces())
+      directions[f] = direction(origin[f]);
+    const Cross_field_result field =
+      smooth_cross_field(mesh, angle, period_jump, index,
+                         parameters::target_edge_length(length)
+                           .edge_is_constrained_map(is_feature)
+                           .align_boundary(align_boundary)
+                           .face_direction_map(directions)
+                           .visitor(std::ref(visitor)));
+    mesh.remove_property_map(directions);
+    result.singularities = field.singularities;
+    result.field_integers = field.integers;
+    result.field_energy = field.energy;
+    result.field_seconds = field.seconds;
+    if(field.status == Cross_field_status::STOPPED)
+      return fail(result, Result::STOPPED, field.message);
+    if(!field.is_valid() && field.status != Cross_field_status::EMPTY_SECTORS)
+      return fail(result, Result::FAILED, field.message);
+    return true;
+  }
+
+  // Other integers may leave room where the first ones do not: the second attempt chooses them by another method, further
+  // ones for slightly different lengths.
+  template <typename Visitor>
+  bool compute_map(Visitor& visitor, Quadrangulation_result& result)
+  {
+    typedef Quadrangulation_result Result;
+    struct Attempt { double relative_length; bool other_method; };
+    static const Attempt attempts[] = { { 1, false }, { 1, true }, { 0.97, false }, { 1.03, false }, { 0.94, false }, { 0.91, false } };
+    std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
+    auto best_uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:best_uv").first;
+    for(const Attempt& attempt : attempts)
+    {
+      const Rounding_method other = rounding_method == LATTICE_ROUNDING ? GREEDY_ROUNDING : LATTICE_ROUNDING;
+      const Integer_grid_map_result map =
+        integer_grid_map(mesh, angle, period_jump, index, uv,
+                         parameters::target_edge_length(attempt.relative_length * length)
+                           .edge_is_constrained_map(is_feature)
+                           .align_boundary(align_boundary)
+                           .rounding_method(attempt.other_method ? other : rounding_method)
+                           .anisotropy_weight(anisotropy_weight)
+                           .visitor(std::ref(visitor)));
+      ++result.parameterization_attempts;
+      result.parameterization_seconds += map.seconds;
+      if(map.status == Integer_grid_map_result::STOPPED)
+        return fail(result, Result::STOPPED, map.message);
+      if(map.status != Integer_grid_map_result::VALID && map.status != Integer_grid_map_result::FOLDED)
+        return fail(result, Result::FAILED, map.message);
+      if(map.folded_faces.size() < fewest)
+      {
+        fewest = map.folded_faces.size();
+        for(Mesh::Halfedge_index h : mesh.halfedges())
+          best_uv[h] = uv[h];
+        result.parameterization_integers = map.integers;
+        result.parameterization_energy = map.energy;
+        result.relaxed_parameterization_energy = map.relaxed_energy;
+        result.flipped_triangles = fewest;
+        result.target_edge_length = attempt.relative_length * length;
+      }
+      if(fewest == 0)
+        break;
+    }
+    for(Mesh::Halfedge_index h : mesh.halfedges())
+      uv[h] = best_uv[h];
+    mesh.remove_property_map(best_uv);
+    return true;
+  }
+
+  template <typename Visitor>
+  bool extract(Visitor& visitor, Quadrangulation_result& result)
+  {
+    typedef Quadrangulation_result Result;
+    Real_timer timer;
+    timer.start();
+    const Quad_extraction_result extraction =
+      extract_quad_mesh(mesh, uv, quad_mesh, parameters::face_location_map(location).visitor(std::ref(visitor)));
+    result.extraction_seconds = timer.time();
+    if(extraction.status == Quad_extraction_status::STOPPED)
+      return fail(result, Result::STOPPED, extraction.message);
+    if(extraction.status == Quad_extraction_status::FAILED)
+      return fail(result, Result::FAILED, extraction.message);
+    result.message = extraction.message;
+    result.quads = extraction.quads;
+    result.other_faces = extraction.other_faces;
+    result.irregular_vertices = extraction.irregular_vertices + extraction.irregular_border_vertices;
+    result.status = extraction.status == Quad_extraction_status::NOT_SIMPLE ? Result::NOT_VALID : Result::VALID;
+    internal::transfer_feature_edges(mesh, is_feature, get(boost::vertex_index, mesh), get(boost::edge_index, mesh),
+                                     quad_mesh, location, quad_edge_is_feature);
+    return true;
+  }
+
+  template <typename Visitor>
+  void smooth(Visitor& visitor, Quadrangulation_result& result)
+  {
+    if(smoothing_iterations == 0 || result.other_faces != 0 || result.status != Quadrangulation_result::VALID)
+      return;
+    Real_timer timer;
+    timer.start();
+    const Quad_mesh_smoothing_result smoothing =
+      smooth_quad_mesh(quad_mesh, mesh,
+                       parameters::edge_is_constrained_map(quad_edge_is_feature)
+                         .number_of_iterations(smoothing_iterations)
+                         .visitor(std::ref(visitor)),
+                       parameters::edge_is_constrained_map(is_feature));
+    result.folded_quads = smoothing.folded_quads_after;
+    result.smoothing_seconds = timer.time();
+    if(smoothing.status == Quad_mesh_smoothing_result::stopped)
+    {
+      quad_mesh.clear_without_removing_property_maps();
+      fail(result, Quadrangulation_result::STOPPED, smoothing.message);
+    }
+  }
+
+  // The last word: a mesh is valid if it is what the caller asked for, whatever the stages think.
+  void check(Quadrangulation_result& result)
+  {
+    typedef Quadrangulation_result Result;
+    std::string flips;
+    if(result.flipped_triangles != 0)
+      flips = " (" + std::to_string(result.flipped_triangles) + " triangles of the map are folded over)";
+    if(result.status == Result::NOT_VALID)
+      result.message += flips;
+    else if(!is_quad_mesh(quad_mesh))
+      fail(result, Result::NOT_VALID, std::to_string(result.other_faces) + " faces are not quads" + flips + ".");
+    else if(internal::surface_topology(quad_mesh) != topology)
+      fail(result, Result::NOT_VALID, "The topology of the quad mesh is not that of the input" + flips + ".");
+    else
+    {
+      result.status = Result::VALID;
+      result.message = "A pure quad mesh with the topology of the input";
+      result.message += result.target_edge_length == length
+        ? "."
+        : ", for edges of length " + std::to_string(result.target_edge_length / length) + " times the one asked for.";
+    }
+  }
+
+  double length = 0; // of a quad edge, as asked for
+  std::vector<internal::Component_topology> topology; // of the input
+};
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_QUADRANGULATION_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_QUADRANGULATE_H
+#define CGAL_QUAD_MESHING_QUADRANGULATE_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Quadrangulation_result.h>
+#include <CGAL/Quad_meshing/internal/locate_on_input.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/optional.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+\ingroup PkgQuadMeshingRef
+
+\brief makes a pure quad mesh out of a triangle mesh.
+
+Sharp edges are detected, a smooth cross field is computed that follows them and the border, an integer-grid map that
+follows the field, and the quad mesh that is the image of the integer grid; then its vertices are smoothed on
+the surface. Sharp edges and the border become chains of quad edges.
+
+The result is `VALID` only if the mesh consists of quads, is a manifold by construction of the halfedge data structure, and
+has the components, Euler numbers and border loops of the input. If not, the result says why, and the best mesh that could be made, if there
+is one, is delivered all the same.
+
+The result depends on nothing but the input and the parameters.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam QuadMesh a model of `MutableFaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh: any manifold with or without border, with any number of components
+\param qm receives the quad mesh; it should be empty
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_number_of_quads}
+    \cgalParamDescription{about how many quads the mesh should have}
+    \cgalParamType{`double`}
+    \cgalParamDefault{4000}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{the length of a quad edge in the unit of the points; takes precedence over the number of quads}
+    \cgalParamType{`double`}
+    \cgalParamDefault{the square root of the area over the number of quads}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharpness_angle}
+    \cgalParamDescription{the angle between normals, in degrees, from which on an edge is sharp; see `detect_feature_edges()` for the sharp
+                          edges that are taken for noise}
+    \cgalParamType{`double`}
+    \cgalParamDefault{40}
+    \cgalParamExtra{180 and more: there are no features}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges; if it is given, none are detected and none are dropped}
+    \cgalParamType{a model of `ReadablePropertyMap` with the edges of `tm` as keys and `bool` as value type}
+    \cgalParamDefault{they are detected}
+  \cgalParamNEnd
+  \cgalParamNBegin{align_boundary}
+    \cgalParamDescription{whether the border becomes chains of quad edges}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_direction_map}
+    \cgalParamDescription{directions that the quad edges should have}
+    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `boost::optional<Vector_3>` as value type}
+    \cgalParamDefault{no direction is given}
+  \cgalParamNEnd
+  \cgalParamNBegin{rounding_method}
+    \cgalParamDescription{how the integers of the map are chosen}
+    \cgalParamType{`Rounding_method`}
+    \cgalParamDefault{`GREEDY_ROUNDING`}
+  \cgalParamNEnd
+  \cgalParamNBegin{anisotropy_weight}
+    \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1]}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_relaxation_steps}
+    \cgalParamDescription{the number of sweeps of the final smoothing; 0 leaves the vertices where the map puts them}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_location_map}
+    \cgalParamDescription{receives for every vertex of `qm` where it lies on `tm`}
+    \cgalParamType{a model of `WritablePropertyMap` with the vertices of `qm` as keys and
+                   `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told about the stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tm`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the figures of all stages; `is_valid()` says whether `qm` is what was asked for
+
+\pre `is_triangle_mesh(tm)`
+
+\sa `Quadrangulation`
+*/
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters = parameters::Default_named_parameters>
+Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using parameters::is_default_parameter;
+
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef boost::optional<Quadrangulation::Kernel::Vector_3> Direction;
+
+  CGAL_precondition(is_triangle_mesh(tm));
+
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+  Default_visitor default_visitor;
+  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  auto stages = [&]()
+  {
+    if constexpr(is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
+      return Quadrangulation(tm, vpm);
+    else
+      return Quadrangulation(tm, vpm, get_parameter(np, internal_np::edge_is_constrained));
+  };
+  Quadrangulation q = stages();
+  q.target_edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length), q.target_edge_length);
+  q.target_number_of_quads =
+    choose_parameter(get_parameter(np, internal_np::target_number_of_quads), q.target_number_of_quads);
+  q.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), q.sharpness_angle);
+  q.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), q.align_boundary);
+  q.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), q.rounding_method);
+  q.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), q.anisotropy_weight);
+  q.smoothing_iterations =
+    choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), q.smoothing_iterations);
+
+  std::vector<Direction> directions;
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_map_t>::value)
+    for(face_descriptor f : faces(tm))
+    {
+      const auto d = get(get_parameter(np, internal_np::face_direction_map), f);
+      directions.push_back(d ? Direction(Quadrangulation::Kernel::Vector_3(to_double(d->x()), to_double(d->y()), to_double(d->z())))
+                             : Direction());
+    }
+  const Quadrangulation_result result =
+    q.run([&](std::size_t i) { return directions.empty() ? Direction() : directions[i]; }, visitor);
+
+  typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
+  std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor> > copies;
+  copy_face_graph(q.quad_mesh, qm, parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
+  {
+    auto locations = get_parameter(np, internal_np::face_location_map);
+    const internal::Input_locator<TriangleMesh> locate(tm, vpm, q, q.smoothing_iterations > 0);
+    for(const auto& c : copies)
+      put(locations, c.second, locate(c.first));
+  }
+  return result;
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_QUADRANGULATE_H

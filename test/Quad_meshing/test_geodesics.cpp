@@ -1,0 +1,615 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#include "geodesics_meshes.h"
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+using namespace geodesics_meshes;
+namespace params = CGAL::parameters;
+typedef CGAL::Quad_meshing::Geodesic_distance_result Result;
+typedef CGAL::Quad_meshing::Geodesic_distance_status Status;
+typedef Mesh::Vertex_index Vertex;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The largest relative error against a known distance.
+double largest_error(const Mesh& tm, const Field& field, const std::function<double(Vertex)>& expected)
+{
+  double worst = 0;
+  for(Vertex v : tm.vertices())
+  {
+    const double d = expected(v), e = field.distance(v);
+    worst = (std::max)(worst, d == 0 ? e : std::fabs(e - d) / d);
+  }
+  return worst;
+}
+
+double windows_per_edge(const Mesh& tm, const Result& result) { return double(result.number_of_windows) / tm.number_of_edges(); }
+
+// In the plane the distance is that of the plane; rays run through vertices, fronts tie, and no vertex
+// is a saddle: windows that continue each other become one.
+void test_points_in_the_plane()
+{
+  std::cout << "points in the plane" << std::endl;
+  for(int variant = 0; variant < 4; ++variant)
+  {
+    Soup soup = variant < 2 ? grid(24, 24) : uneven_square(24, 5);
+    if(variant % 2 == 1)
+      soup = mapped(soup, rotated);
+    const Mesh tm = make_mesh(soup);
+    for(int source : { 0, 12, 312, 330 })
+    {
+      Field field(tm);
+      field.add_source(Vertex(source));
+      const Result result = field.propagate();
+      assert(result && result.number_of_unreached_vertices == 0);
+      assert(windows_per_edge(tm, result) < 3);
+      const Point_3 p = tm.point(Vertex(source));
+      assert(largest_error(tm, field, [&](Vertex v) { return distance(p, tm.point(v)); }) < 1e-12);
+    }
+    // in a face, on an edge, almost on an edge, almost at a vertex, at a vertex
+    for(const std::array<double, 3>& w : std::vector<std::array<double, 3> >{
+          {{ 0.2, 0.5, 0.3 }}, {{ 0.4, 0.6, 0 }}, {{ 0, 0.5, 0.5 }}, {{ 0.5, 0.5 - 1e-7, 1e-7 }},
+          {{ 1 - 2e-8, 1e-8, 1e-8 }}, {{ 0, 1, 0 }} })
+    {
+      const Location source(Mesh::Face_index(501), w);
+      Field field(tm);
+      field.add_source(source, 0.25);
+      const Result result = field.propagate();
+      assert(windows_per_edge(tm, result) < 3);
+      const Point_3 p = point(tm, source);
+      assert(largest_error(tm, field, [&](Vertex v) { return 0.25 + distance(p, tm.point(v)); }) < 1e-12);
+
+      // anywhere else, with gradients and paths
+      for(auto f : tm.faces())
+      {
+        const Location l(f, {{ 0.1, 0.25, 0.65 }});
+        const Point_3 q = point(tm, l);
+        const double d = distance(p, q);
+        assert(std::fabs(field.distance(l) - 0.25 - d) < 1e-12);
+        assert((field.gradient(l) - Field::Vector_3((q.x() - p.x()) / d, (q.y() - p.y()) / d, (q.z() - p.z()) / d)).squared_length() < 1e-12);
+        std::vector<Location> path;
+        assert(field.shortest_path(l, std::back_inserter(path)) == 0);
+        assert(std::fabs(length(tm, path) - d) < 1e-12);
+        assert(distance(point(tm, path.front()), q) < 1e-12 && distance(point(tm, path.back()), p) < 1e-12);
+      }
+    }
+  }
+}
+
+// Triangles of aspect ratio up to a million.
+void test_stretched_plane()
+{
+  std::cout << "stretched planes" << std::endl;
+  for(bool is_rotated : { false, true })
+  {
+    for(double stretch : { 1e2, 1e4, 1e6 })
+    {
+      Soup soup = grid(30, 30, stretch, 1);
+      const std::vector<Point_3> flat = soup.points;
+      if(is_rotated)
+        soup = mapped(soup, rotated);
+      const Mesh tm = make_mesh(soup);
+      for(int source : { 0, 16, 480 })
+      {
+        Field field(tm);
+        field.add_source(Vertex(source));
+        assert(field.propagate().number_of_unreached_vertices == 0);
+        assert(largest_error(tm, field, [&](Vertex v) { return distance(flat[source], flat[v]); }) < 1e-8);
+      }
+    }
+  }
+}
+
+// A polyline across the faces of a plane, made from straight paths, against the distance to its segments.
+void test_polylines_in_the_plane()
+{
+  std::cout << "polylines in the plane" << std::endl;
+  const Mesh tm = make_mesh(uneven_square(20, 3));
+  CGAL::Random random(7);
+  for(int test = 0; test < 8; ++test)
+  {
+    // the last ones have their corners at vertices: some segments run along edges, one is closed
+    std::vector<Location> corners, line;
+    for(int i = 0; i < 4; ++i)
+    {
+      const double a = random.get_double(), b = random.get_double(0, 1 - a);
+      const int f = test < 6 ? random.get_int(0, 800) : 40 * (3 + 4 * i) + 12;
+      corners.emplace_back(Mesh::Face_index(f), test < 6 ? std::array<double, 3>{{ a, b, 1 - a - b }} : std::array<double, 3>{{ 1, 0, 0 }});
+    }
+    if(test == 7)
+      corners[3] = corners[0];
+    for(std::size_t i = 1; i < corners.size(); ++i)
+    {
+      Field leg(tm);
+      leg.add_source(corners[i]);
+      leg.propagate();
+      assert(leg.shortest_path(corners[i - 1], std::back_inserter(line)) == 0);
+    }
+    Field field(tm);
+    assert(field.add_polyline_source(line) == 0);
+    const Result result = field.propagate();
+    assert(result && result.number_of_unreached_vertices == 0);
+    const auto expected = [&](const Point_3& p)
+    {
+      double d = infinity;
+      for(std::size_t i = 1; i < corners.size(); ++i)
+        d = (std::min)(d, distance_to_segment(p, point(tm, corners[i - 1]), point(tm, corners[i])));
+      return d;
+    };
+    for(Vertex v : tm.vertices())
+      assert(std::fabs(field.distance(v) - expected(tm.point(v))) < 1e-12);
+    for(auto f : tm.faces())
+    {
+      const Location l(f, {{ 0.5, 0.2, 0.3 }});
+      assert(std::fabs(field.distance(l) - expected(point(tm, l))) < 1e-12);
+      std::vector<Location> path;
+      assert(field.shortest_path(l, std::back_inserter(path)) == 0);
+      assert(std::fabs(length(tm, path) - field.distance(l)) < 1e-11);
+      assert(expected(point(tm, path.back())) < 1e-11);
+    }
+    // no face holds two locations far apart
+    assert(field.add_polyline_source(std::vector<Location>{ corners[0], corners[1] }) == Field::no_source());
+  }
+}
+
+// The border of a square: the distance is piecewise linear and has ridges on the diagonals.
+void test_border()
+{
+  std::cout << "border" << std::endl;
+  for(int n : { 1, 2, 9, 16 })
+  {
+    const Mesh tm = make_mesh(n < 16 ? grid(n, n) : uneven_square(n, 1));
+    Field field(tm);
+    field.add_border_source();
+    field.propagate();
+    const auto expected = [](const Point_3& p) { return (std::min)({ p.x(), p.y(), 1 - p.x(), 1 - p.y() }); };
+    for(Vertex v : tm.vertices())
+      assert(std::fabs(field.distance(v) - expected(tm.point(v))) < 1e-14);
+    for(auto f : tm.faces())
+    {
+      const Location l(f, {{ 0.3, 0.3, 0.4 }});
+      assert(std::fabs(field.distance(l) - expected(point(tm, l))) < 1e-14);
+    }
+  }
+}
+
+// Around a hole paths bend at its corners.
+void test_hole()
+{
+  std::cout << "a plane with a hole" << std::endl;
+  const int n = 20;
+  const Mesh tm = make_mesh(grid_with_hole(n, n, 6, 13, 8, 11));
+  const double x0 = 6. / n, x1 = 13. / n, y0 = 8. / n, y1 = 11. / n;
+  // whether the segment pq misses the open rectangle
+  const auto is_visible = [&](const Point_3& p, const Point_3& q)
+  {
+    double s = 0, t = 1;
+    const auto clip = [&](double a, double d, double low, double high)
+    {
+      if(d == 0)
+      {
+        if(a <= low || a >= high)
+          t = -1;
+        return;
+      }
+      const double u = (low - a) / d, v = (high - a) / d;
+      s = (std::max)(s, (std::min)(u, v));
+      t = (std::min)(t, (std::max)(u, v));
+    };
+    clip(p.x(), q.x() - p.x(), x0, x1);
+    clip(p.y(), q.y() - p.y(), y0, y1);
+    return t - s < 1e-12;
+  };
+  for(int source : { 0, 7, 200, 390 })
+  {
+    std::vector<Point_3> nodes = { tm.point(Vertex(source)), Point_3(x0, y0, 0), Point_3(x1, y0, 0), Point_3(x1, y1, 0), Point_3(x0, y1, 0) };
+    std::vector<double> d(5, infinity);
+    d[0] = 0;
+    for(int pass = 0; pass < 5; ++pass)
+      for(int i = 0; i < 5; ++i)
+        for(int j = 0; j < 5; ++j)
+          if(is_visible(nodes[i], nodes[j]))
+            d[j] = (std::min)(d[j], d[i] + distance(nodes[i], nodes[j]));
+    Field field(tm);
+    field.add_source(Vertex(source));
+    field.propagate();
+    assert(largest_error(tm, field, [&](Vertex v)
+    {
+      double best = infinity;
+      for(int i = 0; i < 5; ++i)
+        if(is_visible(nodes[i], tm.point(v)))
+          best = (std::min)(best, d[i] + distance(nodes[i], tm.point(v)));
+      return best;
+    }) < 1e-12);
+  }
+}
+
+// Cones of less and of more than 2 pi, open and closed: refinement does not change the metric.
+void test_cones()
+{
+  std::cout << "cones and saddles" << std::endl;
+  for(bool closed : { true, false })
+  {
+    for(double angle : { 0.4, 0.6, 0.9, 1.3 })
+    {
+      const int n = 8;
+      if(closed && 2 * pi / n > angle && angle == 0.4)
+        continue; // flatter than the zigzag can be
+      double a = angle;
+      if(closed && a < 2 * pi / n)
+        a = 2 * pi / n;
+      const Soup base = fan(n, a, closed);
+      const Mesh tm = make_mesh(subdivided(subdivided(subdivided(base))));
+      const double total = closed ? n * a : infinity;
+      // the spokes keep the numbers of their ends
+      for(int i = 1; i <= n / 2; ++i)
+      {
+        Field field(tm);
+        field.add_source(Vertex(i));
+        field.propagate();
+        for(std::size_t j = 0; j < base.points.size(); ++j)
+        {
+          const double expected = j == 0 ? 1 : cone_distance(1, 1, (int(j) - i) * a, total);
+          assert(int(j) == i ? field.distance(Vertex(j)) == 0
+                             : std::fabs(field.distance(Vertex(j)) - expected) < 1e-12 * expected);
+        }
+      }
+    }
+  }
+  // a cone with the apex above a polygon: total angle below 2 pi
+  const int n = 9;
+  Soup soup;
+  soup.points.emplace_back(0, 0, 1.5);
+  for(int i = 0; i < n; ++i)
+    soup.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+  for(std::size_t i = 0; i < std::size_t(n); ++i)
+    soup.triangles.push_back({{ 0, i + 1, (i + 1) % n + 1 }});
+  const double r = std::sqrt(1 + 1.5 * 1.5), a = 2 * std::asin(std::sin(pi / n) / r);
+  const Mesh tm = make_mesh(subdivided(subdivided(soup)));
+  Field field(tm);
+  field.add_source(Vertex(1));
+  field.propagate();
+  for(int j = 2; j <= n; ++j)
+    assert(std::fabs(field.distance(Vertex(j)) - cone_distance(r, r, (j - 1) * a, n * a)) < 1e-12);
+}
+
+// On a box the shortest way between two points is the straight one in one of its unfoldings.
+void test_cube()
+{
+  std::cout << "cube" << std::endl;
+  for(int n : { 1, 2, 5, 8 })
+  {
+    const Mesh tm = make_mesh(cube(n));
+    const auto before = [&](Vertex v, Vertex w) { return tm.point(v) < tm.point(w); };
+    const Vertex corner = *std::min_element(tm.vertices().begin(), tm.vertices().end(), before);
+    const Vertex opposite = *std::max_element(tm.vertices().begin(), tm.vertices().end(), before);
+    const Point_3 p = tm.point(corner), q = tm.point(opposite);
+    const double side = q.x() - p.x();
+    Field field(tm);
+    field.add_source(corner);
+    field.propagate();
+    assert(std::fabs(field.distance(opposite) - side * std::sqrt(5.)) < 1e-12 * side);
+    for(Vertex v : tm.vertices())
+    {
+      const Vector_3 d = (tm.point(v) - p) / side;
+      std::array<double, 3> c = {{ d.x(), d.y(), d.z() }};
+      std::sort(c.begin(), c.end());
+      // on a face at the corner, or on a face opposite to it, at height 1 over one of the two faces below
+      const double expected = c[0] < 1e-12 ? std::sqrt(c[1] * c[1] + c[2] * c[2])
+                                           : std::sqrt((std::min)((1 + c[0]) * (1 + c[0]) + c[1] * c[1], (1 + c[1]) * (1 + c[1]) + c[0] * c[0]));
+      assert(std::fabs(field.distance(v) - side * expected) < 1e-12 * side);
+    }
+  }
+}
+
+// Another implementation, on closed and bordered surfaces of all kinds of regularity.
+void test_against_CGAL()
+{
+  std::cout << "comparison with Surface_mesh_shortest_path" << std::endl;
+  typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> Traits;
+  typedef CGAL::Surface_mesh_shortest_path<Traits> Shortest_path;
+
+  std::vector<Soup> soups = { icosphere(3), perturbed(icosphere(3), 0.02, 1), torus(24, 12), perturbed(torus(20, 10), 0.03, 2),
+                              l_prism(3), sheared_cube(4), cylinder(16, 8, true), perturbed(grid(14, 14), 0.03, 4),
+                              mapped(icosphere(3), [](const Point_3& p) { return Point_3(20 * p.x(), p.y(), p.z()); }),
+                              perturbed(grid_with_hole(12, 12, 4, 8, 3, 9), 0.03, 6), square_ring(2) };
+  for(const Soup& soup : soups)
+  {
+    Mesh tm = make_mesh(soup);
+    const int n = int(tm.number_of_vertices());
+    for(int count : { 1, 3 })
+    {
+      Field field(tm);
+      Shortest_path reference(tm);
+      for(int i = 0; i < count; ++i)
+      {
+        const Vertex v((n / 3 + i * 17) % n);
+        assert(field.add_source(v) == std::size_t(i));
+        reference.add_source_point(v);
+      }
+      assert(field.propagate());
+      double worst = 0;
+      for(Vertex v : tm.vertices())
+      {
+        const double d = reference.shortest_distance_to_source_points(v).first;
+        worst = (std::max)(worst, d == 0 ? field.distance(v) : std::fabs(field.distance(v) - d) / d);
+        std::vector<Location> path;
+        // two sources may be equally near
+        const std::size_t source = field.shortest_path(v, std::back_inserter(path));
+        assert(source < std::size_t(count) && distance(point(tm, path.back()), tm.point(Vertex((n / 3 + int(source) * 17) % n))) < 1e-12);
+        assert(std::fabs(length(tm, path) - field.distance(v)) <= 1e-10 * field.distance(v));
+      }
+      assert(worst < 1e-10);
+    }
+  }
+}
+
+// Sources beside each other: offsets, labels, and a curve as the limit of its points.
+void test_mixed_sources()
+{
+  std::cout << "mixed sources" << std::endl;
+  const Mesh plane = make_mesh(grid(16, 16));
+  Field field(plane);
+  const Point_3 p = plane.point(Vertex(20)), q = plane.point(Vertex(250));
+  field.add_source(Vertex(20), 0.3);
+  field.add_source(Vertex(250), 0.1);
+  field.propagate();
+  for(Vertex v : plane.vertices())
+  {
+    const double a = 0.3 + distance(p, plane.point(v)), b = 0.1 + distance(q, plane.point(v));
+    assert(std::fabs(field.distance(v) - (std::min)(a, b)) < 1e-13);
+    assert(std::fabs(a - b) < 1e-12 || field.nearest_source(v) == (a < b ? 0u : 1u));
+  }
+
+  const Mesh tm = make_mesh(perturbed(torus(24, 12), 0.02, 8));
+  std::vector<Mesh::Edge_index> ring;
+  std::vector<Location> samples;
+  for(auto e : tm.edges())
+    if(tm.point(tm.vertex(e, 0)).z() * tm.point(tm.vertex(e, 1)).z() < 0)
+      ring.push_back(e);
+  Field curve(tm), points(tm);
+  curve.add_edges_source(ring);
+  for(auto e : ring)
+  {
+    auto h = tm.halfedge(e);
+    Location l(tm.face(h), {{ 0, 0, 0 }});
+    int k = 0;
+    for(auto g = tm.halfedge(l.first); g != h; g = tm.next(g))
+      ++k;
+    for(int i = 0; i <= 20; ++i)
+    {
+      l.second[k] = 1 - i / 20.;
+      l.second[(k + 1) % 3] = i / 20.;
+      points.add_source(l);
+    }
+  }
+  curve.propagate();
+  points.propagate();
+  for(Vertex v : tm.vertices())
+  {
+    assert(curve.distance(v) <= points.distance(v) + 1e-13);
+    assert(points.distance(v) - curve.distance(v) < 0.02);
+  }
+}
+
+void test_reach()
+{
+  std::cout << "components, limits, targets, visitors, memory" << std::endl;
+  Mesh tm = make_mesh(two_components(3, 2));
+  const Vertex isolated = tm.add_vertex(Point_3(9, 9, 9));
+  Field field(tm);
+  assert(field.propagate().status == Status::NO_SOURCE);
+  assert(field.distance(Vertex(0)) == infinity && field.nearest_source(Vertex(0)) == Field::no_source());
+  field.add_source(Vertex(0));
+  Result result = field.propagate();
+  assert(result.status == Status::SUCCESS && result.number_of_unreached_vertices > 1);
+  assert(field.distance(isolated) == infinity);
+  std::size_t unreached = 0;
+  for(Vertex v : tm.vertices())
+    unreached += field.distance(v) == infinity;
+  assert(unreached == result.number_of_unreached_vertices);
+  std::vector<Location> path;
+  assert(field.shortest_path(isolated, std::back_inserter(path)) == Field::no_source() && path.empty());
+
+  const Mesh torus_mesh = make_mesh(perturbed(torus(40, 20), 0.01, 3));
+  Field full(torus_mesh), other(torus_mesh);
+  full.add_source(Vertex(5));
+  other.add_source(Vertex(5));
+  full.propagate();
+  result = other.propagate(params::distance_limit(0.8));
+  assert(result.status == Status::LIMIT_REACHED && result);
+  for(Vertex v : torus_mesh.vertices())
+    assert(full.distance(v) > 0.8 || full.distance(v) == other.distance(v));
+  const std::vector<Vertex> targets = { Vertex(100), Vertex(300) };
+  assert(other.propagate(params::target_vertices(std::cref(targets))).status == Status::LIMIT_REACHED);
+  for(Vertex v : targets)
+    assert(full.distance(v) == other.distance(v));
+
+  result = other.propagate(params::keep_windows(false));
+  assert(result.number_of_windows < torus_mesh.number_of_edges() / 10);
+  for(Vertex v : torus_mesh.vertices())
+    assert(full.distance(v) == other.distance(v));
+
+  struct Stopper : CGAL::Quad_meshing::Default_visitor
+  {
+    int calls = 0;
+    double last = 0;
+    void progress(double x) { assert(x >= last && x <= 1); last = x; }
+    bool go_further() { return ++calls < 5; }
+  };
+  Stopper stopper;
+  assert(other.propagate(params::distance_limit(9).visitor(std::ref(stopper))).status == Status::STOPPED);
+
+  Mesh bad = make_mesh(grid(2, 2));
+  bad.point(Vertex(3)) = Point_3(std::nan(""), 0, 0);
+  Field bad_field(bad);
+  assert(bad_field.add_source(Vertex(0)) == Field::no_source());
+  assert(bad_field.propagate().status == Status::POINT_NOT_FINITE);
+  Mesh quad;
+  quad.add_face(quad.add_vertex(Point_3(0, 0, 0)), quad.add_vertex(Point_3(1, 0, 0)), quad.add_vertex(Point_3(1, 1, 0)),
+                quad.add_vertex(Point_3(0, 1, 0)));
+  assert(Field(quad).propagate().status == Status::NOT_A_TRIANGLE_MESH);
+  Mesh empty;
+  assert(Field(empty).propagate().status == Status::NO_SOURCE);
+}
+
+// The error of merged windows stays within the bound, and there are fewer of them.
+void test_approximation()
+{
+  std::cout << "approximation" << std::endl;
+  for(const Soup& soup : { perturbed(torus(60, 30), 0.01, 3), perturbed(cube(12), 0.01, 4) })
+  {
+    const Mesh tm = make_mesh(soup);
+    std::vector<Mesh::Edge_index> curve;
+    for(auto e : tm.edges())
+      if((tm.point(tm.vertex(e, 0)).x() - 0.1) * (tm.point(tm.vertex(e, 1)).x() - 0.1) < 0)
+        curve.push_back(e);
+    for(bool with_curve : { false, true })
+    {
+      Field exact(tm), fast(tm);
+      for(Field* f : { &exact, &fast })
+        with_curve ? f->add_edges_source(curve) : f->add_source(Vertex(7));
+      const Result r = exact.propagate();
+      for(double error : { 1e-4, 1e-3, 1e-2 })
+      {
+        const Result s = fast.propagate(params::relative_distance_error(error));
+        assert(s.number_of_windows < r.number_of_windows);
+        double worst = 0;
+        for(Vertex v : tm.vertices())
+          if(exact.distance(v) > 0)
+            worst = (std::max)(worst, std::fabs(fast.distance(v) - exact.distance(v)) / exact.distance(v));
+        assert(worst <= error);
+      }
+    }
+  }
+}
+
+// Zero-area faces, doubled points and needles do not change the metric.
+void test_degenerate_faces()
+{
+  std::cout << "degenerate faces" << std::endl;
+  // every edge of a grid's diagonal direction gets a vertex in the middle of it twice: two faces of zero area per square
+  const int n = 8;
+  for(int kind = 0; kind < 3; ++kind)
+  {
+    Soup soup = grid(n, n);
+    const std::size_t squares = soup.triangles.size() / 2;
+    for(std::size_t s = 0; s < squares; ++s)
+    {
+      const Triangle a = soup.triangles[2 * s], b = soup.triangles[2 * s + 1]; // (p, q, r) and (p, r, t)
+      const std::size_t m = soup.points.size();
+      const Point_3 p = soup.points[a[0]], r = soup.points[a[2]];
+      if(kind == 0)
+      {
+        // two points on the diagonal, the second one only on one side of it: the face (m, m+1, r) has no area
+        soup.points.push_back(p + 0.25 * (r - p));
+        soup.points.push_back(p + 0.5 * (r - p));
+        soup.triangles[2 * s] = {{ a[0], a[1], m }};
+        soup.triangles.push_back({{ m, a[1], a[2] }});
+        soup.triangles.push_back({{ m, a[2], m + 1 }});
+        soup.triangles[2 * s + 1] = {{ m, m + 1, b[2] }};
+        soup.triangles.push_back({{ m + 1, b[1], b[2] }});
+        soup.triangles.push_back({{ b[0], m, b[2] }});
+      }
+      else
+      {
+        // a doubled point (or nearly) in the middle
+        soup.points.push_back(p + 0.5 * (r - p));
+        soup.points.push_back(p + 0.5 * (r - p) + (kind == 1 ? 0. : 1e-9) * Vector_3(-1, 1, 0));
+        soup.triangles[2 * s] = {{ a[0], a[1], m }};
+        soup.triangles.push_back({{ m, a[1], a[2] }});
+        soup.triangles.push_back({{ m, a[2], m + 1 }});
+        soup.triangles.push_back({{ a[0], m, m + 1 }});
+        soup.triangles[2 * s + 1] = {{ a[0], m + 1, b[2] }};
+        soup.triangles.push_back({{ m + 1, b[1], b[2] }});
+      }
+    }
+    const Mesh tm = make_mesh(soup);
+    for(int source : { 0, 40, int(tm.number_of_vertices()) - 1 })
+    {
+      Field field(tm);
+      field.add_source(Vertex(source));
+      assert(field.propagate().number_of_unreached_vertices == 0);
+      const Point_3 p = tm.point(Vertex(source));
+      for(Vertex v : tm.vertices())
+        assert(std::fabs(field.distance(v) - distance(p, tm.point(v))) < 1e-12);
+    }
+  }
+}
+
+// The same algorithm without rounding.
+void test_exact_number_type()
+{
+  std::cout << "exact number type" << std::endl;
+  for(const Soup& soup : { cube(1), perturbed(icosphere(0), 0.1, 2), grid(2, 2) })
+  {
+    const Mesh tm = make_mesh(soup);
+    CGAL::Quad_meshing::Geodesic_distance_field<Mesh, CORE::Expr> exact(tm);
+    Field field(tm);
+    exact.add_source(Vertex(0));
+    field.add_source(Vertex(0));
+    assert(exact.propagate() && field.propagate());
+    for(Vertex v : tm.vertices())
+      assert(std::fabs(CGAL::to_double(exact.distance_value(v)) - field.distance(v)) < 1e-13);
+  }
+}
+
+void test_other_graphs()
+{
+  std::cout << "Polyhedron_3" << std::endl;
+  typedef CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> Polyhedron;
+  const Mesh tm = make_mesh(perturbed(torus(12, 8), 0.02, 3));
+  Polyhedron p;
+  CGAL::copy_face_graph(tm, p);
+  Field field(tm);
+  CGAL::Quad_meshing::Geodesic_distance_field<Polyhedron> other(p);
+  field.add_source(Vertex(0));
+  other.add_source(*vertices(p).begin());
+  field.propagate();
+  other.propagate();
+  auto v = vertices(p).begin();
+  for(Vertex w : tm.vertices())
+    assert(std::fabs(field.distance(w) - other.distance(*v++)) < 1e-13);
+}
+
+int main()
+{
+  test_points_in_the_plane();
+  test_stretched_plane();
+  test_polylines_in_the_plane();
+  test_border();
+  test_hole();
+  test_cones();
+  test_cube();
+  test_against_CGAL();
+  test_mixed_sources();
+  test_reach();
+  test_approximation();
+  test_degenerate_faces();
+  test_exact_number_type();
+  test_other_graphs();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
