@@ -1,7 +1,8 @@
 # quad_meshing_program(<source> TEST|PROGRAM): one executable from one source file.
 #
-# A test is compiled with assertions and -O2, a program with -O3 and without them. All programs of a
-# kind in one folder share a precompiled header, made from Precompiled.h of that folder if there is one.
+# A test is compiled with assertions and -O2, a program without them and with -O3, or with what
+# CGAL_QUAD_MESHING_PROGRAM_OPTIMIZATION says. All programs of a kind in one folder share a precompiled
+# header, made from Precompiled.h of that folder if there is one.
 
 find_program(CGAL_QUAD_MESHING_CCACHE ccache)
 mark_as_advanced(CGAL_QUAD_MESHING_CCACHE)
@@ -12,7 +13,7 @@ function(quad_meshing_compile_options target kind)
     if(kind STREQUAL "TEST")
       list(APPEND options -O2 -UNDEBUG)
     else()
-      list(APPEND options -O3 -DNDEBUG)
+      list(APPEND options -O3 ${CGAL_QUAD_MESHING_PROGRAM_OPTIMIZATION} -DNDEBUG)
     endif()
     if(CGAL_QUAD_MESHING_SANITIZE)
       list(APPEND options -O1 -UNDEBUG -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined)
@@ -31,7 +32,7 @@ function(quad_meshing_compile_options target kind)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(CGAL_QUAD_MESHING_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
-      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CGAL_QUAD_MESHING_CCACHE}")
+      "${CMAKE_COMMAND};-E;env;CCACHE_DEPEND=1;CCACHE_SLOPPINESS=pch_defines,time_macros;${CGAL_QUAD_MESHING_CCACHE}")
   endif()
 endfunction()
 

@@ -8,12 +8,15 @@
 
 #include "geodesics_meshes.h"
 
-#include <CGAL/CORE_Expr.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -506,6 +509,54 @@ void test_approximation()
   }
 }
 
+// Refinement does not change the surface, new vertices have exact distances, and few are needed.
+void test_refinement()
+{
+  std::cout << "refinement" << std::endl;
+  const Mesh square = make_mesh(uneven_square(14, 3));
+  for(bool from_border : { true, false })
+  {
+    Field field(square);
+    const Point_3 p(square.point(Vertex(112)));
+    if(from_border)
+      field.add_border_source();
+    else
+      field.add_source(Vertex(112));
+    field.propagate();
+    const auto expected = [&](const Point_3& q)
+    {
+      return from_border ? (std::min)({ q.x(), q.y(), 1 - q.x(), 1 - q.y() }) : distance(p, q);
+    };
+    Mesh refined;
+    auto d = refined.add_property_map<Vertex, double>("v:d", 0).first;
+    const double tolerance = from_border ? 4e-4 : 1e-3;
+    const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, tolerance);
+    assert(result && result.error <= tolerance && result.number_of_faces == refined.number_of_faces());
+    assert(!from_border || (result.initial_error > 100 * result.error && result.number_of_faces <= 4 * square.number_of_faces()));
+    assert(CGAL::is_triangle_mesh(refined) && refined.is_valid() && CGAL::is_valid_polygon_mesh(refined));
+    assert(std::fabs(CGAL::Polygon_mesh_processing::area(refined) - 1) < 1e-12);
+    for(Vertex v : refined.vertices())
+      assert(std::fabs(d[v] - expected(refined.point(v))) < 1e-12);
+    for(auto e : refined.edges())
+    {
+      const Vertex v = refined.vertex(e, 0), w = refined.vertex(e, 1);
+      for(double t : { 0.2, 0.5, 0.7 })
+        assert(std::fabs((1 - t) * d[v] + t * d[w] - expected(refined.point(v) + t * (refined.point(w) - refined.point(v)))) < tolerance + 1e-12);
+    }
+  }
+
+  // a limit on the number of faces, and a component without a source
+  const Mesh tm = make_mesh(two_components(3, 2));
+  Field field(tm);
+  field.add_source(Vertex(0));
+  field.propagate();
+  Mesh refined;
+  auto d = refined.add_property_map<Vertex, double>("v:d", 0).first;
+  const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, 1e-9, params::maximum_number_of_faces(std::size_t(2000)));
+  assert(!result && result.number_of_faces >= 2000 && result.error < result.initial_error);
+  assert(std::count(d.begin(), d.end(), infinity) > 0);
+}
+
 // Zero-area faces, doubled points and needles do not change the metric.
 void test_degenerate_faces()
 {
@@ -559,21 +610,31 @@ void test_degenerate_faces()
   }
 }
 
-// The same algorithm without rounding.
-void test_exact_number_type()
+// The same algorithm with fifty digits tells the rounding errors of double; with known distances it shows that it has the digits.
+void test_more_digits()
 {
-  std::cout << "exact number type" << std::endl;
-  for(const Soup& soup : { cube(1), perturbed(icosphere(0), 0.1, 2), grid(2, 2) })
+  std::cout << "fifty digits" << std::endl;
+  typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type, boost::multiprecision::et_off> Number;
+  for(const Soup& soup : { perturbed(torus(12, 8), 0.03, 2), icosphere(2), cylinder(8, 4, false), grid(6, 6) })
   {
     const Mesh tm = make_mesh(soup);
-    CGAL::Quad_meshing::Geodesic_distance_field<Mesh, CORE::Expr> exact(tm);
+    CGAL::Quad_meshing::Geodesic_distance_field<Mesh, Number> precise(tm);
     Field field(tm);
-    exact.add_source(Vertex(0));
+    precise.add_source(Vertex(0));
     field.add_source(Vertex(0));
-    assert(exact.propagate() && field.propagate());
+    assert(precise.propagate() && field.propagate());
     for(Vertex v : tm.vertices())
-      assert(std::fabs(CGAL::to_double(exact.distance_value(v)) - field.distance(v)) < 1e-13);
+      assert(std::fabs(precise.distance(v) - field.distance(v)) < 1e-14);
   }
+  const Mesh tm = make_mesh(cube(3));
+  CGAL::Quad_meshing::Geodesic_distance_field<Mesh, Number> precise(tm);
+  const auto before = [&](Vertex v, Vertex w) { return tm.point(v) < tm.point(w); };
+  const Vertex p = *std::min_element(tm.vertices().begin(), tm.vertices().end(), before);
+  const Vertex q = *std::max_element(tm.vertices().begin(), tm.vertices().end(), before);
+  precise.add_source(p);
+  precise.propagate();
+  const Number side = Number(tm.point(q).x()) - Number(tm.point(p).x());
+  assert(abs(precise.distance_value(q) - side * sqrt(Number(5))) < Number(1e-15));
 }
 
 void test_other_graphs()
@@ -585,13 +646,16 @@ void test_other_graphs()
   CGAL::copy_face_graph(tm, p);
   Field field(tm);
   CGAL::Quad_meshing::Geodesic_distance_field<Polyhedron> other(p);
+  const auto same = [&](Vertex w)
+  {
+    return *std::find_if(vertices(p).begin(), vertices(p).end(), [&](const auto& v) { return v->point() == tm.point(w); });
+  };
   field.add_source(Vertex(0));
-  other.add_source(*vertices(p).begin());
+  other.add_source(same(Vertex(0)));
   field.propagate();
   other.propagate();
-  auto v = vertices(p).begin();
   for(Vertex w : tm.vertices())
-    assert(std::fabs(field.distance(w) - other.distance(*v++)) < 1e-13);
+    assert(std::fabs(field.distance(w) - other.distance(same(w))) < 1e-13);
 }
 
 int main()
@@ -607,8 +671,9 @@ int main()
   test_mixed_sources();
   test_reach();
   test_approximation();
+  test_refinement();
   test_degenerate_faces();
-  test_exact_number_type();
+  test_more_digits();
   test_other_graphs();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

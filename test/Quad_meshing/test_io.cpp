@@ -82,7 +82,7 @@ Result read_text(const std::string& filename, const std::string& text, Mesh& tm)
 }
 
 // The text must be refused, for that reason, in words that hold `word`, and the mesh stay as it was.
-void check_refused(const std::string& filename, const std::string& text, Status status, const std::string& word)
+void check_refused(const char* filename, const std::string& text, Status status, const char* word)
 {
   Mesh tm = test_meshes::make_mesh(test_meshes::cube(1));
   const Result result = read_text(filename, text, tm);

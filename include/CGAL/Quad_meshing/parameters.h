@@ -16,6 +16,57 @@
 // names below and carries a link type of its own; from there on CGAL's names and ours can follow
 // in any order: `parameters::target_edge_length(0.1).vertex_point_map(vpm).align_boundary(true)`.
 
+// What they mean. The functions document which of them they take and may have other defaults.
+//
+// Size and alignment of the quads
+//   target_edge_length              double        length of a quad edge, in the unit of the points; default: from the
+//                                                 number of quads in quadrangulate(), mean edge length in integer_grid_map()
+//   target_number_of_quads          number        about how many quads there should be; 4000
+//   align_boundary                  bool          whether the border becomes chains of quad edges; true
+//   face_direction_map              property map  face -> optional vector that the cross field follows; none
+//   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
+//   sizing_gradation                double        largest slope of the target edge length; 0.3
+//   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1, from
+//                                                 which on a disk counts as parabolic; 0.8
+//
+// Cross fields and integer-grid maps
+//   cross_field_method              Cross_field_method  how period jumps are found; POLISHED
+//   anisotropy_weight               double        weight of the length of quads against their direction, in (0, 1]; 1
+//   stiffening_iterations           unsigned int  how often the energy may be weighted anew where triangles are
+//                                                 distorted, as long as there are folded ones; 0
+//   face_location_map               property map  receives quad vertex -> its place on the input mesh; none
+//
+// Mixed-integer problems
+//   rounding_method                 Rounding_method  how integer conditions are met; GREEDY_ROUNDING, BRANCH_AND_BOUND
+//                                                 where there are inequalities
+//   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
+//                                                 other; 1e-6
+//   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
+//                                                 variables; 1e-4
+//   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 100000
+//   conjugate_gradient_iterations   int           steps per rounding, 0 switches the level off; 10
+//   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
+//                                                 deviations sum up to less than one half; true
+//   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
+//   maximum_number_of_nodes         double        nodes of a search after which the best solution so far is taken; 3e7
+//   relative_gap_tolerance          double        relative gap of energy and bound at which a search ends; 1e-9
+//   subproblem_selection            Subproblem_selection  order of the subproblems of branch-and-bound; BEST_BOUND
+//   branching_rule                  Branching_rule  variable that branch-and-bound splits; PSEUDO_COSTS
+//
+// Geodesic distances
+//   distance_limit                  double        distances beyond it need not be right; infinity
+//   target_vertices                 range, by std::cref  the computation ends when their distances are known; all
+//   relative_distance_error         double        part of a distance by which it may be wrong; 0
+//   keep_windows                    bool          false saves memory and leaves distances at vertices only; true
+//
+// Structure of quad meshes
+//   merge_singularities             bool          whether irregular vertices may be merged with each other and moved
+//                                                 onto constrained edges; false
+//   collapse_dual_curves            bool          whether dual curves are collapsed in the end where they can be; false
+//   target_number_of_patches        std::size_t   the optimization ends when there are no more patches; 0: no target
+//   smoothing_iterations            unsigned int  sweeps of the smoothing in the end, 0 smooths nothing; 20
+//   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step
+
 #include <CGAL/Named_function_parameters.h>
 
 #define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                          \
@@ -39,6 +90,8 @@
   CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
   CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
+  CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
+  CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
   CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
   CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \

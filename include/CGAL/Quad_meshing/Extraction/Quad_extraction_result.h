@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingExtractionGrp
+ * \ingroup PkgQuadMeshingExtractionRef
  *
  * \brief says what became of an extraction.
  */
@@ -33,7 +33,7 @@ enum class Quad_extraction_status
 };
 
 /*!
- * \ingroup PkgQuadMeshingExtractionGrp
+ * \ingroup PkgQuadMeshingExtractionRef
  *
  * \brief is the answer of `extract_quad_mesh()`.
  *
@@ -55,6 +55,7 @@ struct Quad_extraction_result
   std::size_t irregular_vertices = 0;       ///< inner vertices of a valence other than 4
   std::size_t irregular_border_vertices = 0; ///< border vertices of a valence other than 3
   std::size_t multiple_edges = 0;           ///< edges that join the same vertices as an edge before, and loops
+  bool same_topology = false;               ///< whether Euler characteristic, components and border loops are those of the input
   /// @}
 
   /// \name The Map
@@ -64,6 +65,7 @@ struct Quad_extraction_result
   std::size_t unfolded_faces = 0;           ///< triangles whose image became positive when vertices were moved
   std::size_t inexact_transitions = 0;      ///< edges over which no automorphism of the grid maps one chart to the other exactly
   std::size_t inconsistent_transitions = 0; ///< those of them over which it could not be made exact
+  std::size_t singular_vertices_off_grid = 0; ///< counted only if something is wrong; each makes a face that is no quad
   double largest_coordinate_change = 0;     ///< how far a coordinate was moved to make the transitions exact
   /// @}
 
@@ -72,7 +74,7 @@ struct Quad_extraction_result
   std::size_t edges_cut_by_border = 0;      ///< grid edges that the border cuts; they and the cells beside them are left out
   double uncovered_area = 0;                ///< area of the map outside the quads, in grid cells: zero if all borders
                                             ///  run along isolines
-  std::size_t holes_closed = 0;             ///< border loops that lie inside one grid cell; the quad closes them
+  std::size_t cells_with_holes = 0;         ///< grid cells with a whole border loop inside; they are left out
   std::size_t moved_vertices = 0;           ///< vertices whose image was moved to undo fold-overs
   std::size_t cancelled_crossings = 0;      ///< pairs of grid points of opposite orientation that were removed
   std::size_t merged_vertices = 0;          ///< copies of a grid point that became one vertex with others
@@ -85,6 +87,10 @@ struct Quad_extraction_result
 
   /// returns whether a mesh was made and it is all quads.
   bool is_pure() const { return quads > 0 && other_faces == 0; }
+
+  /// returns whether the mesh is a simple manifold mesh of quads only, with the topology of the input, whatever had to be
+  /// done for it.
+  bool is_usable() const { return is_pure() && same_topology && multiple_edges == 0; }
 };
 
 } // namespace Quad_meshing

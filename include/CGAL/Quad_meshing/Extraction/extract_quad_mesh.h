@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingExtractionGrp
+ * \ingroup PkgQuadMeshingExtractionRef
  *
  * \brief extracts the quad mesh that an integer-grid map stands for.
  *

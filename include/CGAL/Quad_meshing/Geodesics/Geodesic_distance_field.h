@@ -30,15 +30,31 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 
+namespace internal {
+
+// What the functions that continue from a field may look at.
+struct Field_access
+{
+  template <typename Field> static const auto& mesh(const Field& f) { return f.m_mesh; }
+  template <typename Field> static const auto& sources(const Field& f) { return f.m_sources; }
+
+  // null if there is no field, or none with windows
+  template <typename Field> static const auto* propagation(const Field& f)
+  {
+    return f.m_has_windows ? f.m_propagation.get() : nullptr;
+  }
+};
+
+} // namespace internal
+
 /*!
- * \ingroup PkgQuadMeshingGeodesicsGrp
+ * \ingroup PkgQuadMeshingGeodesicsRef
  *
  * \brief computes the geodesic distance from vertices, points and curves on a triangle mesh, exactly in the
  * sense of the geometry: up to rounding, the distance is the length of the shortest path on the surface.
@@ -51,15 +67,15 @@ namespace Quad_meshing {
  * Degenerate faces are allowed. Vertices must be manifold, as they are in every valid halfedge data structure
  * made from a soup by `Polygon_mesh_processing::polygon_soup_to_polygon_mesh()`. The mesh must not change while the object is used.
  *
- * The algorithm is that of Mitchell, Mount and Papadimitriou \cgalCite{mmp87} with the linear windows of Bommes and
- * Kobbelt \cgalCite{bk07}: each edge keeps the list of windows in which the distance to it is one square root or one
+ * The algorithm is that of Mitchell, Mount and Papadimitriou (1987) with the linear windows of Bommes and
+ * Kobbelt (2007): each edge keeps the list of windows in which the distance to it is one square root or one
  * linear function.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
- * \tparam FT the number type of the windows: `double`, or an exact one with square roots, which makes every distance exact but is
- *         only of use on meshes of a few hundred faces
+ * \tparam FT the number type of the windows: `double`, or a binary floating point type of more digits such as
+ *         `boost::multiprecision::cpp_bin_float_50`, with as much smaller rounding errors
  *
- * \sa `geodesic_distances()`
+ * \sa `refine_distance_field()`
  */
 template <typename TriangleMesh, typename FT = double>
 class Geodesic_distance_field
@@ -117,7 +133,7 @@ public:
     /// returns the distance at `t`.
     FT distance(const FT& t) const
     {
-      return is_linear ? FT(sigma + x * t) : FT(sigma + CGAL::sqrt((t - x) * (t - x) + y * y));
+      return is_linear ? FT(sigma + x * t) : FT(sigma + internal::square_root((t - x) * (t - x) + y * y));
     }
   };
 
@@ -160,7 +176,7 @@ public:
     for(auto v : vertices(tm))
     {
       const auto& p = get(vpm, v);
-      if(! std::isfinite(to_double(p.x())) || ! std::isfinite(to_double(p.y())) || ! std::isfinite(to_double(p.z())))
+      if(! std::isfinite(CGAL::to_double(p.x())) || ! std::isfinite(CGAL::to_double(p.y())) || ! std::isfinite(CGAL::to_double(p.z())))
         m_status = Geodesic_distance_status::POINT_NOT_FINITE;
     }
     if(! is_triangle_mesh(tm))
@@ -168,7 +184,7 @@ public:
     if(m_status != Geodesic_distance_status::SUCCESS)
       return;
 
-    m_mesh = Mesh(internal::make_indexed_triangle_mesh(tm, vpm, vim, fim), ! std::is_floating_point<FT>::value);
+    m_mesh = Mesh(internal::make_indexed_triangle_mesh(tm, vpm, vim, fim));
     m_faces.resize(m_mesh.number_of_faces());
     for(face_descriptor f : faces(tm))
       m_faces[get(fim, f)] = f;
@@ -363,7 +379,7 @@ public:
   /// returns the distance of a vertex, infinity if no source reaches it.
   double distance(vertex_descriptor v) const
   {
-    return is_reached(v) ? to_double(m_propagation->label(index(v)).distance) : infinity();
+    return is_reached(v) ? internal::as_double(m_propagation->label(index(v)).distance) : infinity();
   }
 
   /// returns whether a vertex has a distance.
@@ -380,7 +396,7 @@ public:
   double distance(const Face_location& location) const
   {
     const Arrival a = arrival(location);
-    return a.kind == Arrival::NOWHERE ? infinity() : to_double(a.distance);
+    return a.kind == Arrival::NOWHERE ? infinity() : internal::as_double(a.distance);
   }
 
   /// returns the number of the source that is nearest to a vertex, `no_source()` if none reaches it.
@@ -403,10 +419,10 @@ public:
     const Arrival a = arrival(location);
     const int f = m_face_index(location.first);
     const auto p = place(f, point(location));
-    const double x = to_double(FT(p.first - a.x)), y = to_double(FT(p.second - a.y)), n = std::sqrt(x * x + y * y);
+    const double x = internal::as_double(FT(p.first - a.x)), y = internal::as_double(FT(p.second - a.y)), n = std::sqrt(x * x + y * y);
     if(a.kind == Arrival::NOWHERE || n == 0 || m_mesh.length_of(3 * f) == FT(0))
       return Vector_3(0, 0, 0);
-    const Vector_3 u = m_mesh.vector(3 * f) / to_double(m_mesh.length_of(3 * f));
+    const Vector_3 u = m_mesh.vector(3 * f) / internal::as_double(m_mesh.length_of(3 * f));
     Vector_3 w = - m_mesh.vector(3 * f + 2);
     w = w - (w * u) * u;
     const double l = std::sqrt(w * w);
@@ -462,6 +478,8 @@ public:
   ///@}
 
 private:
+  friend struct internal::Field_access;
+
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
   int index(vertex_descriptor v) const { return m_vertex_index(v); }
@@ -479,8 +497,8 @@ private:
   Surface_point point(const Location& location) const
   {
     return internal::surface_point(m_mesh, m_face_index(location.first),
-                                   {{ to_double(location.second[0]), to_double(location.second[1]),
-                                      to_double(location.second[2]) }});
+                                   {{ CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
+                                      CGAL::to_double(location.second[2]) }});
   }
 
   std::pair<FT, FT> place(int f, const Surface_point& p) const { return internal::place_in_face(m_mesh, f, p); }
@@ -515,7 +533,7 @@ private:
   {
     return std::all_of(targets.begin(), targets.end(), [&](int v)
     {
-      return m_propagation->is_reached(v) && to_double(m_propagation->label(v).distance) < front;
+      return m_propagation->is_reached(v) && internal::as_double(m_propagation->label(v).distance) < front;
     });
   }
 
@@ -529,7 +547,7 @@ private:
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
       if(m_propagation->is_reached(v))
-        result.maximum_distance = (std::max)(result.maximum_distance, to_double(m_propagation->label(v).distance));
+        result.maximum_distance = (std::max)(result.maximum_distance, internal::as_double(m_propagation->label(v).distance));
       else
         ++result.number_of_unreached_vertices;
     }

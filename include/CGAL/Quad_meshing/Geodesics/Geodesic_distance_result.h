@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 /*!
- * \ingroup PkgQuadMeshingGeodesicsGrp
+ * \ingroup PkgQuadMeshingGeodesicsRef
  * \brief says how the computation of a distance field ended.
  */
 enum class Geodesic_distance_status
@@ -29,7 +29,7 @@ enum class Geodesic_distance_status
   POINT_NOT_FINITE     ///< a coordinate is not a finite number
 };
 
-/// \ingroup PkgQuadMeshingGeodesicsGrp
+/// \ingroup PkgQuadMeshingGeodesicsRef
 /// \brief returns a sentence that describes a status.
 inline std::string get_message(Geodesic_distance_status status)
 {
@@ -46,7 +46,7 @@ inline std::string get_message(Geodesic_distance_status status)
 }
 
 /*!
- * \ingroup PkgQuadMeshingGeodesicsGrp
+ * \ingroup PkgQuadMeshingGeodesicsRef
  * \brief holds what `Geodesic_distance_field::propagate()` has to say about its result.
  */
 struct Geodesic_distance_result

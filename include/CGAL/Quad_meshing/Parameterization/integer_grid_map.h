@@ -202,7 +202,8 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
 
   std::vector<double> face_angle(mesh.number_of_faces()), sizing(mesh.number_of_faces());
   std::vector<int> edge_jump(mesh.number_of_edges());
-  std::vector<bool> is_singular(mesh.number_of_vertices()), is_aligned(mesh.number_of_edges());
+  std::vector<int> quarters(mesh.number_of_vertices());
+  std::vector<bool> is_aligned(mesh.number_of_edges());
   std::vector<halfedge_descriptor> first_halfedge(mesh.number_of_faces());
   double length = 0;
   if(is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value)
@@ -234,7 +235,10 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
     ++e_index;
   }
   for(auto v : vertices(tm))
-    is_singular[get(vim, v)] = get(index, v) != 0 && (align_boundary || !is_border(v, tm));
+  {
+    const bool on_border = static_cast<bool>(is_border(v, tm));
+    quarters[get(vim, v)] = !on_border ? 4 - get(index, v) : align_boundary ? 2 - get(index, v) : -1;
+  }
 
   visitor.on_stage_begin("parameterization");
   auto stopped = [&]()
@@ -246,7 +250,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
     return true;
   };
 
-  internal::Integer_grid_solver solver(mesh, face_angle, edge_jump, is_singular, is_aligned, sizing);
+  internal::Integer_grid_solver solver(mesh, face_angle, edge_jump, quarters, is_aligned, sizing);
   result.variables = solver.coordinates.number_of_variables();
   result.integers = solver.number_of_integers();
   if(stopped())

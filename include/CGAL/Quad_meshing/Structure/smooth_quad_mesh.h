@@ -11,16 +11,14 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Structure/internal/Quad_smoother.h>
+#include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
-#include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,7 +30,7 @@ namespace Quad_meshing {
  * \brief tells what `smooth_quad_mesh()` did.
  *
  * A quad is *folded* if it is not strictly convex (its scaled Jacobian is not positive) or if its
- * normal is opposed to the normal of the reference surface below it.
+ * normal is opposed, by more than 120 degrees, to the normal of the reference surface below it.
  */
 struct Quad_mesh_smoothing_result
 {
@@ -55,16 +53,11 @@ struct Quad_mesh_smoothing_result
 
 namespace internal {
 
-// The smoothing on flat arrays. `reference_points` with `feature_segments` and `border_segments` are
-// the curves along which the vertices of features and borders slide; where one kind is empty, those
-// of the quad mesh itself are taken.
+// The smoothing on flat arrays.
 template <typename Visitor>
 Quad_mesh_smoothing_result
-smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Indexed_triangle_mesh reference,
-                         std::vector<std::array<int, 2> > feature_segments,
-                         std::vector<std::array<int, 2> > border_segments,
-                         const std::vector<char>& is_fixed_vertex, unsigned int number_of_iterations,
-                         Visitor& visitor)
+smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, const std::vector<char>& is_fixed_vertex,
+                         unsigned int number_of_iterations, Visitor& visitor)
 {
   typedef Quad_mesh_smoothing_result Result;
   Result result;
@@ -74,19 +67,7 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Indexed_triangle_mesh reference,
     result.message = "The mesh has no faces.";
     return result;
   }
-
-  std::vector<std::array<int, 2> > own_features, own_borders;
-  for(int h = 0; h < m.number_of_halfedges(); ++h)
-    if(m.is_border(h))
-      own_borders.push_back({{ m.source(h), m.target(h) }});
-    else if(m.is_feature[h] && m.edge(h) == h)
-      own_features.push_back({{ m.source(h), m.target(h) }});
-  Reference_curves features = feature_segments.empty() ? Reference_curves(m.points, own_features)
-                                                       : Reference_curves(reference.points, feature_segments);
-  Reference_curves borders = border_segments.empty() ? Reference_curves(m.points, own_borders)
-                                                     : Reference_curves(reference.points, border_segments);
-  Reference_surface surface(std::move(reference));
-  if(surface.empty())
+  if(reference.surface.empty())
   {
     result.status = Result::empty_reference;
     result.message = "The reference surface has no triangle of positive area.";
@@ -95,7 +76,7 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Indexed_triangle_mesh reference,
 
   const std::vector<Indexed_quad_mesh::Point_3> input_points = m.points;
   visitor.on_stage_begin("smoothing");
-  Quad_smoother smoother(m, surface, features, borders, is_fixed_vertex);
+  Quad_smoother smoother(m, reference.surface, reference.features, reference.borders, is_fixed_vertex);
   smoother.project();
   std::vector<int> folded = smoother.folded_quads();
   result.folded_quads_before = folded.size();
@@ -281,25 +262,8 @@ smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
   auto smooth = [&](internal::Indexed_quad_mesh& m, const std::vector<char>& is_fixed_vertex,
                     unsigned int number_of_iterations, auto& visitor)
   {
-    // the index maps of a mesh that has garbage are not consecutive
-    const auto vim = get(CGAL::dynamic_vertex_property_t<int>(), tm);
-    const auto fim = get(CGAL::dynamic_face_property_t<int>(), tm);
-    int i = 0;
-    for(auto v : vertices(tm))
-      put(vim, v, i++);
-    i = 0;
-    for(auto f : faces(tm))
-      put(fim, f, i++);
-
-    std::vector<std::array<int, 2> > feature_segments, border_segments;
-    for(auto e : edges(tm))
-      if(is_border(e, tm))
-        border_segments.push_back({{ get(vim, source(e, tm)), get(vim, target(e, tm)) }});
-      else if(get(ecm, e))
-        feature_segments.push_back({{ get(vim, source(e, tm)), get(vim, target(e, tm)) }});
-    return internal::smooth_indexed_quad_mesh(m, internal::make_indexed_triangle_mesh(tm, vpm, vim, fim),
-                                              std::move(feature_segments), std::move(border_segments),
-                                              is_fixed_vertex, number_of_iterations, visitor);
+    internal::Smoothing_reference reference = internal::make_smoothing_reference(m, tm, vpm, ecm);
+    return internal::smooth_indexed_quad_mesh(m, reference, is_fixed_vertex, number_of_iterations, visitor);
   };
   return internal::smooth_quad_mesh_with(qm, np_qm, smooth);
 }
@@ -319,8 +283,8 @@ smooth_quad_mesh(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_val
   auto smooth = [&](internal::Indexed_quad_mesh& m, const std::vector<char>& is_fixed_vertex,
                     unsigned int number_of_iterations, auto& visitor)
   {
-    return internal::smooth_indexed_quad_mesh(m, internal::triangulated_quad_mesh(m), {}, {},
-                                              is_fixed_vertex, number_of_iterations, visitor);
+    internal::Smoothing_reference reference(m);
+    return internal::smooth_indexed_quad_mesh(m, reference, is_fixed_vertex, number_of_iterations, visitor);
   };
   return internal::smooth_quad_mesh_with(qm, np, smooth);
 }

@@ -31,6 +31,7 @@ struct Grid_graph
   std::vector<int> opposite;    // per ray: the one it runs to, or a reason why there is none
   std::vector<signed char> sign;   // per ray: orientation of the map where it starts
   std::vector<signed char> length; // per ray: of its edge, in the direction of the ray; 1 but at fold-overs
+  std::vector<char> open_on_left;  // per ray: the border touches its edge from the left
   std::vector<int> ccw, cw;     // per ray: the next one around its node, or NONE
   std::vector<int> first;       // per node: one of its rays, or NONE; at a border the one with no ray before it
   std::vector<int> face;        // per ray: the face on its left, or NONE where that is open to the border
@@ -43,6 +44,16 @@ struct Grid_graph
 
   // The ray after r around the face on the left of r, or NONE.
   int next(int r) const { return opposite[r] < 0 ? static_cast<int>(NONE) : cw[opposite[r]]; }
+
+  // The border halfedge that follows r, which has no face on its left but one on its right: past the fan of faces
+  // at the other end of r.
+  int next_on_border(int r) const
+  {
+    int s = opposite[r];
+    while(face[s] >= 0)
+      s = ccw[s];
+    return s;
+  }
 
   template <typename Function>
   void for_each_ray_of_node(int n, const Function& f) const
@@ -145,14 +156,14 @@ struct Grid_graph
     }
   }
 
-  // Makes holes of the faces whose degree `is_bad`, and returns how many these are.
+  // Makes holes of the faces that are bad, and returns how many these are.
   template <typename Predicate>
   std::size_t drop_faces(const Predicate& is_bad)
   {
     std::vector<int> id(degree.size()), kept;
     for(std::size_t i = 0; i < degree.size(); ++i)
     {
-      id[i] = is_bad(degree[i]) ? static_cast<int>(NONE) : static_cast<int>(kept.size());
+      id[i] = is_bad(static_cast<int>(i)) ? static_cast<int>(NONE) : static_cast<int>(kept.size());
       if(id[i] != NONE)
         kept.push_back(degree[i]);
     }
@@ -174,6 +185,7 @@ bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g
   g.node = nodes.ray_node;
   g.sign = nodes.ray_sign;
   g.length.assign(n, 1);
+  g.open_on_left.assign(n, false);
   g.opposite.assign(n, UNKNOWN);
   g.ccw.assign(n, Grid_graph::NONE);
   g.cw.assign(n, Grid_graph::NONE);
@@ -218,6 +230,8 @@ bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g
       g.opposite[r] = o;
       g.opposite[o] = r;
       g.length[r] = g.length[o] = static_cast<signed char>(trace.length());
+      g.open_on_left[r] = trace.is_open_on_left();
+      g.open_on_left[o] = trace.is_open_on_right();
     }
     else
       g.opposite[r] = (o == Isoline_tracer::LEAVES_THE_SURFACE) ? Grid_graph::CUT_BY_BORDER : Grid_graph::FAILED;

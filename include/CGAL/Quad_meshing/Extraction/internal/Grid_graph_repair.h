@@ -335,6 +335,9 @@ private:
       m_graph.ccw.push_back(after);
       m_graph.cw.push_back(before);
       m_graph.face.push_back(Grid_graph::NONE);
+      m_graph.sign.push_back(1);
+      m_graph.length.push_back(1);
+      m_graph.open_on_left.push_back(false);
       m_graph.ccw[before] = i;
       if(after != Grid_graph::NONE)
         m_graph.cw[after] = i;

@@ -160,6 +160,22 @@ inline void for_each_direction_in_sector(const Grid_map& map, int h, const Funct
   for_each_direction_in_sector(map.uv[h], map.uv[Mesh::next(h)], map.uv[Mesh::prev(h)], sign, closed, f);
 }
 
+// The number of inner vertices around which the directions do not add up to one turn and which are no grid points.
+inline int number_of_singular_vertices_off_grid(const Grid_map& map)
+{
+  int n = 0;
+  for(int v = 0; v < map.mesh.number_of_vertices(); ++v)
+  {
+    const int h = map.mesh.halfedge_of_vertex[v];
+    if(h == -1 || map.mesh.opposite[h] == -1 || map.is_integer_corner(h))
+      continue;
+    int quarters = 0;
+    for_each_sector(map.mesh, v, [&](int g) { for_each_direction_in_sector(map, g, [&](int, int s) { quarters += s; }); });
+    n += quarters != 4;
+  }
+  return n;
+}
+
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL

@@ -72,12 +72,48 @@ public:
       {
         const std::size_t before = moved_vertices;
         for(int f : bad)
-          for(int k = 0; k < 3 && m_map.sign[f] <= 0; ++k)
+          for(int k = 0; k < 3 && m_map.sign[f] <= 0 && m_attempts_left > 0; ++k, --m_attempts_left)
             moved_vertices += move_into_kernel(m_mesh.corners[f][k], keep_on_isolines);
         bad.erase(std::remove_if(bad.begin(), bad.end(), [&](int f) { return m_map.sign[f] > 0; }), bad.end());
         if(moved_vertices == before)
           break;
       }
+  }
+
+  // Where this is not enough: spreads the regular inner vertices around what remains evenly, in ever larger patches, and tries again.
+  // Keeps what makes fewer triangles bad.
+  void relax_fold_overs(int sweeps)
+  {
+    for(int rings = 1; rings <= 4; ++rings)
+    {
+      const std::vector<int> bad = bad_faces();
+      if(bad.empty())
+        return;
+      const std::vector<int> patch = vertices_around(bad, rings);
+      if(patch.size() > largest_patch)
+        return;
+      // Whatever triangle this makes bad has a corner in the patch, and the others at most one ring further.
+      const std::vector<int> touched = vertices_around(bad, rings + 1);
+      std::vector<Point_2> old_uv;
+      const std::size_t old_moved = moved_vertices;
+      for(int v : touched)
+        for_each_sector(m_mesh, v, [&](int h) { old_uv.push_back(m_map.uv[h]); });
+
+      for(int i = 0; i < 40; ++i)
+        for(int v : patch)
+          move_to_center(v);
+      update_signs_around(patch);
+      moved_vertices += patch.size();
+      undo_fold_overs(sweeps);
+
+      if(bad_faces().size() < bad.size())
+        continue;
+      auto old = old_uv.begin();
+      for(int v : touched)
+        for_each_sector(m_mesh, v, [&](int h) { m_map.uv[h] = *old++; });
+      update_signs_around(touched);
+      moved_vertices = old_moved;
+    }
   }
 
   // Moves regular inner vertices of triangles that are not positive by up to 2^-10. A fold-over in general position leaves crossings
@@ -89,8 +125,7 @@ public:
     for(int f : bad_faces())
       for(int v : m_mesh.corners[f])
       {
-        Grid_automorphism g;
-        if(done[v] || !unfold(v, g) || !g.is_identity())
+        if(done[v] || !is_free(v))
           continue;
         done[v] = true;
         // Any offsets will do that have no pattern in common with those of the neighbors.
@@ -107,13 +142,17 @@ public:
 private:
   typedef Indexed_triangle_mesh Mesh;
 
+  // What has more fold-overs than that is not worth the time.
+  static const std::size_t largest_patch = 20000;
+
   struct Sector { int h; Grid_automorphism to_first; };
 
   Grid_map& m_map;
   const Mesh& m_mesh;
   const double m_quantum;
+  int m_attempts_left = 1000000;   // a map with this much to unfold is beyond repair, and the time is limited
   std::vector<Sector> m_fan;
-  std::vector<Point_2> m_link, m_kernel, m_clipped;
+  std::vector<Point_2> m_link, m_kernel, m_clipped, m_old;
 
   // The smallest power of two such that coordinates and translations of the size at hand are sums without round-off.
   static double quantum(const Grid_map& map)
@@ -133,6 +172,51 @@ private:
       if(m_map.sign[f] <= 0)
         bad.push_back(f);
     return bad;
+  }
+
+  // The vertices of some faces and of `rings` - 1 rings around them that are free to move.
+  std::vector<int> vertices_around(const std::vector<int>& faces, int rings)
+  {
+    std::vector<char> seen(m_mesh.number_of_vertices(), false);
+    std::vector<int> vertices, movable;
+    auto add = [&](int v)
+    {
+      if(!seen[v])
+        vertices.push_back(v);
+      seen[v] = true;
+    };
+    for(int f : faces)
+      for(int v : m_mesh.corners[f])
+        add(v);
+    std::size_t i = 0;
+    for(int ring = 1; ring < rings; ++ring)
+      for(const std::size_t end = vertices.size(); i < end; ++i)
+        for_each_sector(m_mesh, vertices[i], [&](int h) { add(m_mesh.target(h)); });
+    for(int v : vertices)
+      if(is_free(v))
+        movable.push_back(v);
+    return movable;
+  }
+
+  void move_to_center(int v)
+  {
+    Grid_automorphism g;
+    unfold(v, g);
+    double x = 0, y = 0;
+    for(const Sector& s : m_fan)
+    {
+      const Point_2 p = s.to_first(m_map.uv[Mesh::next(s.h)]);
+      x += p.x() / m_fan.size();
+      y += p.y() / m_fan.size();
+    }
+    assign(Point_2(quantized(x), quantized(y)));
+  }
+
+  void update_signs_around(const std::vector<int>& vertices)
+  {
+    for(int v : vertices)
+      for_each_sector(m_mesh, v, [&](int h)
+      { m_map.sign[h / 3] = static_cast<signed char>(m_map.orientation_of_face(h / 3)); });
   }
 
   double quantized(double x) const { return std::floor(x / m_quantum + 0.5) * m_quantum; }
@@ -162,48 +246,103 @@ private:
     return true;
   }
 
-  // The rotation across an edge whose image is a point cannot be seen there. Either end is at the same place, so any rotation whose
-  // translation is integer describes the same map; one that leaves an end regular is preferred.
+  // Whether the vertex is a regular inner one, which may be moved. Leaves it in `m_fan`. To turn around a vertex of valence 8 leads back to
+  // the start, too; what differs is the sum of the directions, which fold-overs do not change, but triangles without area hide.
+  bool is_free(int v)
+  {
+    Grid_automorphism g;
+    if(!unfold(v, g) || !g.is_identity())
+      return false;
+    int quarters = 0;
+    for(const Sector& s : m_fan)
+    {
+      if(m_map.sign[s.h / 3] == 0)
+        return true;
+      for_each_direction_in_sector(m_map, s.h, [&](int, int sign) { quarters += sign; });
+    }
+    return quarters == 4;
+  }
+
+  // The rotation across an edge whose image is a point cannot be seen there: every rotation about the point describes the
+  // same map. It only decides which end of the edge is how singular. In each tree of such edges all vertices but the root are
+  // made regular; the root gets what remains. So singular vertices that fell on one point become one, and the others
+  // can be moved apart.
   void choose_rotations_of_points(const std::vector<int>& inexact)
   {
+    std::vector<std::vector<int> > leaving(m_mesh.number_of_vertices());    // edges whose image is a point
     for(int h : inexact)
     {
-      const Point_2& a = m_map.uv[h];
       const int o = m_mesh.opposite[h];
-      if(!(a == m_map.uv[Mesh::next(h)]) || !(m_map.uv[o] == m_map.uv[Mesh::next(o)]))
-        continue;
-      const Point_2& b = m_map.uv[o];
-      int best_score = -1;
-      Grid_automorphism best;
-      for(int r = 0; r < 4; ++r)
-      {
-        double x = a.x(), y = a.y();
-        Grid_automorphism::rotate(r, x, y);
-        const Grid_automorphism t(r, std::floor(b.x() - x + 0.5), std::floor(b.y() - y + 0.5));
-        const Point_2 image = t(a);
-        m_map.transition[h] = t;
-        m_map.transition[o] = t.inverse();
-        int score = 4 * (std::fabs(image.x() - b.x()) + std::fabs(image.y() - b.y()) < 1. / 64);
-        for(int v : { m_mesh.source(h), m_mesh.target(h) })
+      if(m_map.uv[h] == m_map.uv[Mesh::next(h)] && m_map.uv[o] == m_map.uv[Mesh::next(o)])
+        for(int g : { h, o })
         {
-          Grid_automorphism holonomy;
-          score += unfold(v, holonomy) && holonomy.r == 0;
+          set_rotation_of_point(g, m_map.transition[g].r);
+          leaving[m_mesh.source(g)].push_back(g);
         }
-        if(score > best_score)
-        {
-          best_score = score;
-          best = t;
-        }
-      }
-      m_map.transition[h] = best;
-      m_map.transition[o] = best.inverse();
     }
+    // Border vertices are never singular: they are the best roots.
+    std::vector<char> done(m_mesh.number_of_vertices(), false);
+    for(bool on_border : { true, false })
+      for(int root = 0; root < m_mesh.number_of_vertices(); ++root)
+        if(!done[root] && !leaving[root].empty()
+           && on_border == (m_mesh.previous_around_source(m_mesh.halfedge_of_vertex[root]) == -1))
+          make_all_but_root_regular(root, leaving, done);
+  }
+
+  void make_all_but_root_regular(int root, const std::vector<std::vector<int> >& leaving, std::vector<char>& done)
+  {
+    std::vector<int> tree;      // halfedges away from the root, breadth first
+    std::vector<int> vertices(1, root);
+    done[root] = true;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      for(int h : leaving[vertices[i]])
+      {
+        const int v = m_mesh.target(h);
+        if(done[v])
+          continue;
+        done[v] = true;
+        vertices.push_back(v);
+        tree.push_back(h);
+      }
+    for(auto h = tree.rbegin(); h != tree.rend(); ++h)
+    {
+      // Turning around the target crosses the edge once; one more rotation about the vertex turns the whole back.
+      Grid_automorphism g;
+      if(!unfold(m_mesh.target(*h), g) || g.r == 0)
+        continue;
+      const int before = m_map.transition[*h].r;
+      for(int r = 0; r < 4 && g.r != 0; ++r)
+      {
+        set_rotation_of_point(*h, r);
+        unfold(m_mesh.target(*h), g);
+      }
+      if(g.r != 0)
+        set_rotation_of_point(*h, before);
+    }
+  }
+
+  void set_rotation_of_point(int h, int r)
+  {
+    const int o = m_mesh.opposite[h];
+    const Point_2& b = m_map.uv[o];
+    double x = m_map.uv[h].x(), y = m_map.uv[h].y();
+    Grid_automorphism::rotate(r, x, y);
+    m_map.transition[h] = Grid_automorphism(r, std::floor(b.x() - x + 0.5), std::floor(b.y() - y + 0.5));
+    m_map.transition[o] = m_map.transition[h].inverse();
   }
 
   void make_exact(int v, double snap_distance)
   {
     Grid_automorphism g;
     const bool closed = unfold(v, g);
+    bool exact = true;
+    for(std::size_t i = closed ? 0 : 1; i < m_fan.size(); ++i)
+    {
+      const int h = m_fan[i].h, before = m_fan[i == 0 ? m_fan.size() - 1 : i - 1].h;
+      exact &= m_map.transition[h](m_map.uv[h]) == m_map.uv[before];
+    }
+    if(exact)
+      return;
     double x = 0, y = 0;
     for(const Sector& s : m_fan)
     {
@@ -243,8 +382,7 @@ private:
 
   bool move_into_kernel(int v, bool keep_on_isolines)
   {
-    Grid_automorphism g;
-    if(!unfold(v, g) || !g.is_identity())
+    if(!is_free(v))
       return false;
     const Point_2 p = m_map.uv[m_fan.front().h];
     m_link.clear();
@@ -274,14 +412,21 @@ private:
       y += q.y() / m_kernel.size();
     }
     const Point_2 c(keep_x ? p.x() : quantized(x), keep_y ? p.y() : quantized(y));
-    // The clipping is done in floating point; what counts is this.
-    for(std::size_t i = 0; i < m_link.size(); ++i)
-      if(CGAL::orientation(m_link[i], m_link[(i + 1) % m_link.size()], c) != CGAL::LEFT_TURN)
-        return false;
-    assign(c);
+    m_old.clear();
     for(const Sector& s : m_fan)
-      m_map.sign[s.h / 3] = 1;
-    return true;
+      m_old.push_back(m_map.uv[s.h]);
+    assign(c);
+    // The clipping is done in floating point; what counts is this.
+    const bool positive = std::all_of(m_fan.begin(), m_fan.end(), [&](const Sector& s)
+    { return m_map.orientation_of_face(s.h / 3) > 0; });
+    for(std::size_t i = 0; i < m_fan.size(); ++i)
+    {
+      if(positive)
+        m_map.sign[m_fan[i].h / 3] = 1;
+      else
+        m_map.uv[m_fan[i].h] = m_old[i];
+    }
+    return positive;
   }
 
   // Clips `m_kernel` by the left side of the line from a to b.

@@ -29,6 +29,9 @@ namespace internal {
 // reaches `m_ahead` before it leaves the triangle.
 class Isoline_tracer
 {
+  typedef Grid_map::Point_2 Point_2;
+  typedef Indexed_triangle_mesh Mesh;
+
 public:
   enum { LEAVES_THE_SURFACE = -1, FAILED = -2 };
 
@@ -41,15 +44,12 @@ public:
   int operator()(int ray)
   {
     m_goal = 1;
+    m_is_open[LEFT] = m_is_open[RIGHT] = false;
     for(;;)
     {
       start(ray);
-      while(m_state != DONE)
-      {
-        if(--m_steps_left < 0)
-          return FAILED;
-        step();
-      }
+      if(!follow())
+        return FAILED;
       if(m_result < 0 || m_nodes.mate[m_result] == -1)
         return m_result;
       ray = m_nodes.mate[m_result];
@@ -57,14 +57,30 @@ public:
     }
   }
 
+  // The ray at which the grid line arrives that crosses halfedge h between the grid point `behind` and the next one in direction d.
+  int from_edge_point(int h, const Point_2& behind, int d)
+  {
+    m_goal = 1;
+    m_d = d;
+    m_behind = behind;
+    m_ahead = neighbor(behind, d);
+    if(side(m_map.uv[Mesh::next(h)]) > 0)   // it runs out of the face of h, as that is on the left of h
+      go_over(h);
+    else
+      go(FROM_EDGE, h);
+    return follow() ? m_result : static_cast<int>(FAILED);
+  }
+
   // How far the last line got: 1 if it ended at the grid point next to its start. If it ran back on a fold it may have
   // ended at another copy of the grid point where it started; this gives 0.
   int length() const { return m_goal; }
 
-private:
-  typedef Grid_map::Point_2 Point_2;
-  typedef Indexed_triangle_mesh Mesh;
+  // Whether the last line had the border of the surface on its left or right side somewhere: it ran along a border edge, or
+  // passed a border vertex.
+  bool is_open_on_left() const { return m_is_open[LEFT]; }
+  bool is_open_on_right() const { return m_is_open[RIGHT]; }
 
+private:
   // What the line does next. `m_h` is the halfedge meant, and its face is the one whose chart is in use.
   enum State
   {
@@ -94,6 +110,8 @@ private:
   Point_2 m_behind;
   Point_2 m_ahead;
   int m_result;
+  enum { LEFT, RIGHT };
+  bool m_is_open[2];
   int m_goal;          // 1 if `m_ahead` is the grid point next to the start, 0 if it is the start
 
   std::vector<Fan_ray> m_fan;
@@ -158,6 +176,17 @@ private:
     }
   }
 
+  bool follow()
+  {
+    while(m_state != DONE)
+    {
+      if(--m_steps_left < 0)
+        return false;
+      step();
+    }
+    return true;
+  }
+
   void step()
   {
     switch(m_state)
@@ -209,10 +238,15 @@ private:
       if(o == 0)
         return arrive(m_nodes.find_on_edge(m_h, m_ahead), back_in(m_h), nowhere());
     }
-    const int g = m_mesh.opposite[m_h];
+    go_over(m_h);
+  }
+
+  void go_over(int h)
+  {
+    const int f = h / 3, g = m_mesh.opposite[h];
     if(g == -1)
       return finish(LEAVES_THE_SURFACE);
-    const Grid_automorphism& t = m_map.transition[m_h];
+    const Grid_automorphism& t = m_map.transition[h];
     m_behind = t(m_behind);
     m_ahead = t(m_ahead);
     m_d = t.direction(m_d);
@@ -248,6 +282,8 @@ private:
   {
     // The edge is a side of two sectors, in the face of h and in the one beyond; the ray back belongs to one of them.
     const int beyond = m_mesh.opposite[h], turn = beyond == -1 ? 0 : m_map.transition[h].r;
+    if(beyond == -1)
+      m_is_open[forward ? RIGHT : LEFT] = true;
     const Point_2& target = m_map.uv[corner];
     const double c = along(target), goal = along(m_ahead);
     const Way_back here = { c > goal ? h : corner, (m_d + 2) & 3 };
@@ -308,18 +344,21 @@ private:
       m_fan[n++] = m_fan[i];
     }
 
+    const bool on_border = m_mesh.previous_around_source(m_mesh.halfedge_of_vertex[m_mesh.source(h)]) == -1;
     int partner = -1;
     Grid_nodes::pair_opposite_signs(n, [&](int i) { return m_fan[i].sign; },
                                     [&](int i, int j) { if(i == a) partner = j; else if(j == a) partner = i; }, m_live);
     if(partner == -1)
     {
-      const bool on_border = m_mesh.previous_around_source(m_mesh.halfedge_of_vertex[m_mesh.source(h)]) == -1;
       if(m_live.size() == 1 && on_border)
         return finish(LEAVES_THE_SURFACE);
       if(m_live.size() != 2)
         return finish(FAILED);
       partner = m_live[0] == a ? m_live[1] : m_live[0];
     }
+    // The fan runs counterclockwise: from the way in to the way out on the right of the line, or the other way on its left.
+    if(on_border)
+      m_is_open[a < partner ? LEFT : RIGHT] = true;
 
     if(m_fan[partner].turned == m_fan[a].turned)
       m_goal = 1 - m_goal;

@@ -13,7 +13,9 @@
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph.h>
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph_repair.h>
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_map_repair.h>
+#include <CGAL/Quad_meshing/Extraction/internal/cells_with_holes.h>
 #include <CGAL/Quad_meshing/Extraction/internal/read_grid_map.h>
+#include <CGAL/Quad_meshing/Extraction/internal/topology_figures.h>
 #include <CGAL/Quad_meshing/Extraction/internal/write_grid_graph.h>
 
 #include <algorithm>
@@ -117,7 +119,9 @@ private:
 
     if(!go_further(0.9))
       return stop();
+    m_graph.find_faces();
     repair();
+    open_cells_with_holes(nodes);
     m_node_of_vertex = make_vertices(m_graph, m_vertex_of_ray);
     return summarize();
   }
@@ -136,8 +140,11 @@ private:
 
     compute_signs(m_map);
     const std::ptrdiff_t bad = number_of_bad_faces();
-    if(bad > 0)
+    if(bad > 0 && m_unfolding_sweeps > 0)
+    {
       map_repair.undo_fold_overs(m_unfolding_sweeps);
+      map_repair.relax_fold_overs(m_unfolding_sweeps);
+    }
     m_result.moved_vertices = map_repair.moved_vertices;
     m_result.unfolded_faces = bad - number_of_bad_faces();
     if(number_of_bad_faces() > 0)
@@ -191,8 +198,9 @@ private:
           l.weights[i] = std::fabs((a.x() - p.x()) * (b.y() - p.y()) - (a.y() - p.y()) * (b.x() - p.x()));
           sum += l.weights[i];
         }
+        // In a triangle thinner than round-off any point is as good.
         for(double& w : l.weights)
-          w /= sum;
+          w = sum > 0 ? w / sum : 1. / 3;
       }
     }
   }
@@ -204,11 +212,11 @@ private:
   {
     m_result.edges_cut_by_border = std::count(m_graph.opposite.begin(), m_graph.opposite.end(),
                                               static_cast<int>(Grid_graph::CUT_BY_BORDER));
-    m_graph.find_faces();
     bool clean = std::all_of(m_graph.degree.begin(), m_graph.degree.end(), [](int d) { return d == 4; });
     clean &= std::count(m_graph.opposite.begin(), m_graph.opposite.end(), static_cast<int>(Grid_graph::FAILED)) == 0;
     if(clean)
       return;
+    m_result.singular_vertices_off_grid = number_of_singular_vertices_off_grid(m_map);
 
     Grid_graph_repair graph_repair(m_graph);
     graph_repair();
@@ -224,7 +232,19 @@ private:
     m_result.split_faces = splitter.split_faces;
 
     m_graph.find_faces();
-    m_result.dropped_faces = m_graph.drop_faces([](int d) { return d < 3 || d > largest_degree_kept; });
+    m_result.dropped_faces = m_graph.drop_faces([&](int f)
+    { return m_graph.degree[f] < 3 || m_graph.degree[f] > largest_degree_kept; });
+  }
+
+  // Only where the map is positive everywhere the left side of a line is known by orientation tests.
+  void open_cells_with_holes(const Grid_nodes& nodes)
+  {
+    if(number_of_bad_faces() > 0)
+      return;
+    std::vector<char> is_open(m_graph.number_of_faces(), false);
+    for(int f : Cells_with_holes(m_map, nodes, m_graph)())
+      is_open[f] = true;
+    m_result.cells_with_holes = m_graph.drop_faces([&](int f) { return is_open[f]; });
   }
 
   void summarize_vertices()
@@ -275,6 +295,7 @@ private:
     for(int d : m_graph.degree)
       ++(d == 4 ? m_result.quads : m_result.other_faces);
     summarize_vertices();
+    m_result.same_topology = topology_figures(m_map.mesh) == topology_figures(m_graph, m_node_of_vertex.size());
 
     double area = 0;
     for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
@@ -287,7 +308,8 @@ private:
     {
       m_result.status = Quad_extraction_status::REPAIRED;
       m_result.message = defects_of_map() + "the mesh has " + std::to_string(m_result.quads) + " quads and "
-        + std::to_string(m_result.other_faces) + " other faces";
+        + std::to_string(m_result.other_faces) + " other faces, and "
+        + (m_result.same_topology ? "the topology of the input" : "another topology than the input");
     }
     else if(m_result.multiple_edges > 0)
     {
@@ -313,10 +335,11 @@ private:
       if(n > 0)
         s += (s.empty() ? "" : ", ") + std::to_string(n) + what;
     };
-    add(m_result.folded_faces.size(), " triangles folded over");
-    add(m_result.degenerate_faces.size(), " without area");
-    add(m_result.unfolded_faces, " folded over that could be unfolded");
-    add(m_result.inconsistent_transitions, " inconsistent transitions");
+    add(m_result.unfolded_faces, " triangles had to be unfolded");
+    add(m_result.folded_faces.size(), " triangles are folded over");
+    add(m_result.degenerate_faces.size(), " triangles have no area");
+    add(m_result.inconsistent_transitions, " transitions are inconsistent");
+    add(m_result.singular_vertices_off_grid, " singular vertices are not on grid points");
     return "the map is no integer-grid map" + (s.empty() ? s : " (" + s + ")") + "; ";
   }
 

@@ -26,8 +26,8 @@ namespace internal {
 // Coordinates up to this size leave 20 bits behind the point. Larger ones say that something is wrong with the map.
 const double largest_grid_coordinate = 4294967296.;
 
-// More grid points than this do not fit in memory in any form, and are no request made on purpose.
-const double largest_number_of_grid_points = 5e7;
+// More grid points than this take more than about 3 GB, and are hardly asked for on purpose.
+const double largest_number_of_grid_points = 2e7;
 
 // Copies the corners of all faces. `uv` gives the corner at the target of a halfedge.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceIndexMap>

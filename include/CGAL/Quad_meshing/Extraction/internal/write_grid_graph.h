@@ -124,11 +124,7 @@ void write_grid_graph(const Grid_graph& g, const std::vector<int>& vertex_of_ray
         has_halfedge[vertex_of_ray[r]] = true;
         continue;
       }
-      // r is the clockwise end of an open fan: the border comes in along it and goes out at the other end.
-      int s = r;
-      while(g.face[s] >= 0)
-        s = g.ccw[s];
-      set_next(opposite(h, qm), halfedge_of_ray[s], qm);
+      set_next(opposite(h, qm), halfedge_of_ray[g.next_on_border(o)], qm);
       set_halfedge(v, opposite(h, qm), qm);
       has_halfedge[vertex_of_ray[r]] = true;
     }

@@ -16,10 +16,14 @@
 #include <CGAL/Quad_meshing/Fields/internal/Mixed_integer_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/Representation_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
+#include <CGAL/Quad_meshing/Fields/internal/merge_close_pairs.h>
 #include <CGAL/Quad_meshing/Fields/internal/singularity_costs.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
-#include <string>
+#include <memory>
+#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -92,10 +96,11 @@ public:
 private:
   Cross_field_status solve(Cross_field& field, Cross_field_result& result)
   {
-    // The local search ends in different minima from starts of different smoothness. On large meshes
-    // a second start costs more than it is worth.
+    // The local search ends in different minima from starts of different smoothness. On small meshes
+    // both starts are the same, on large ones a second start costs more than it is worth.
     const int clusters_of_starts[] = { 6000, 400 };
-    const int faces_for_one_start = 50000;
+    const int nf = m_problem.mesh.number_of_faces();
+    const bool two_starts = nf >= 2 * clusters_of_starts[1] && nf < 50000;
 
     result.integers = count_integers(m_problem);
     result.conflicting_faces = m_problem.conflicting_faces;
@@ -105,8 +110,7 @@ private:
       return Cross_field_status::NUMERICAL_FAILURE;
 
     const bool polished = m_options.method == Cross_field_method::POLISHED;
-    const int starts = (polished && m_problem.mesh.number_of_faces() < faces_for_one_start) ? 2 : 1;
-    double lowest = std::numeric_limits<double>::infinity();
+    const int starts = polished && two_starts ? 2 : 1;
     for(int start = 0; start < starts; ++start)
     {
       Cross_field candidate;
@@ -126,23 +130,78 @@ private:
         quads.fill_empty_sectors(candidate);
         m_laplacian.solve_angles(candidate);
       }
-      const double initial_energy = m_problem.energy(candidate);
-      const double total = polished ? m_polish(candidate, quads, [&] { return m_visitor.go_further(); }) : initial_energy;
+      if(improve_and_keep(candidate, quads))
+        result.initial_energy = m_initial_energy;
       if(!m_visitor.go_further())
         return Cross_field_status::STOPPED;
-      m_visitor.progress((start + 1.) / starts);
-      if(total < lowest)
-      {
-        lowest = total;
-        field = candidate;
-        result.initial_energy = initial_energy;
-        result.empty_sectors = quads.number_of_empty_sectors();
-      }
+      m_visitor.progress((start + 1.) / (starts + 1));
     }
+    if(!m_best_quads) // no energy is a number
+      return Cross_field_status::NUMERICAL_FAILURE;
+    if(polished && !shake())
+      return Cross_field_status::STOPPED;
+    if(polished && m_options.target_edge_length > 0)
+      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, *m_best_quads, m_best,
+                        [&] { return m_visitor.go_further(); });
+    m_visitor.progress(1.);
 
+    field = m_best;
+    result.empty_sectors = m_best_quads->number_of_empty_sectors();
     m_problem.normalize(field);
     result.energy = m_problem.energy(field);
     return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
+  }
+
+  // Polishes a field, unless another method was asked for, and keeps it if it is the best so far.
+  bool improve_and_keep(Cross_field& candidate, Sector_quads& quads)
+  {
+    m_initial_energy = m_problem.energy(candidate);
+    const double total = m_options.method == Cross_field_method::POLISHED
+                       ? m_polish(candidate, quads, [&] { return m_visitor.go_further(); }) : m_initial_energy;
+    if(!(total < m_lowest))
+      return false;
+    m_lowest = total;
+    m_best = candidate;
+    m_best_quads.reset(new Sector_quads(quads));
+    return true;
+  }
+
+  // Leaves the local minimum by a few arbitrary moves next to singularities and polishes again, more often
+  // on small meshes, where that costs nothing. Returns false if the visitor stopped it.
+  bool shake()
+  {
+    const int nf = m_problem.mesh.number_of_faces();
+    const int times = nf == 0 ? 0 : (std::min)(20, 30000 / nf);
+    const int moves = 3;
+    const double singular_residual = 0.15; // see Jump_polish
+
+    std::mt19937 random; // the same numbers on every platform
+    for(int i = 0; i < times; ++i)
+    {
+      if(!m_visitor.go_further())
+        return false;
+      std::vector<int> edges;
+      for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
+        if(m_problem.is_movable(e) && std::abs(m_problem.residual(e, m_best)) > singular_residual)
+          edges.push_back(e);
+      if(edges.empty())
+        return true;
+      Cross_field candidate = m_best;
+      Sector_quads quads = *m_best_quads;
+      for(int k = 0; k < moves; ++k)
+      {
+        const int e = edges[random() % edges.size()];
+        const int by = m_problem.residual(e, m_best) < 0 ? 1 : -1;
+        if(std::isfinite(quads.cost_change(e, by)))
+        {
+          candidate.period_jump[e] += by;
+          quads.change_jump(e, by);
+        }
+      }
+      m_laplacian.solve_angles(candidate);
+      improve_and_keep(candidate, quads);
+    }
+    return true;
   }
 
   Rounding_method rounding_method() const
@@ -161,6 +220,12 @@ private:
   Dual_laplacian m_laplacian;
   Jump_polish m_polish;
   const std::vector<double> m_costs; // per vertex, of a singularity there
+
+  // The best field so far, its quads, and its energy plus the cost of its sectors.
+  Cross_field m_best;
+  std::unique_ptr<Sector_quads> m_best_quads;
+  double m_lowest = std::numeric_limits<double>::infinity();
+  double m_initial_energy = 0; // of the last field before its polish
 };
 
 } // namespace internal

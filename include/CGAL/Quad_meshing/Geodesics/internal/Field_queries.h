@@ -154,8 +154,8 @@ public:
 
   std::array<double, 3> barycentric(int face, const FT& x, const FT& y) const
   {
-    const double l = to_double(m_mesh.length_of(3 * face)), rx = to_double(m_mesh.apex[3 * face].x),
-                 ry = to_double(m_mesh.apex[3 * face].y), px = to_double(x), py = to_double(y);
+    const double l = as_double(m_mesh.length_of(3 * face)), rx = as_double(m_mesh.apex[3 * face].x),
+                 ry = as_double(m_mesh.apex[3 * face].y), px = as_double(x), py = as_double(y);
     double w2 = ry > 0 ? py / ry : (px > l && rx > l) ? (px - l) / (rx - l) : (px < 0 && rx < 0) ? px / rx : 0;
     w2 = (std::min)((std::max)(w2, 0.), 1.);
     double w1 = l > 0 ? (px - w2 * rx) / l : 0;
@@ -164,7 +164,7 @@ public:
   }
 
 private:
-  static FT norm(const FT& x, const FT& y) { return CGAL::sqrt(x * x + y * y); }
+  static FT norm(const FT& x, const FT& y) { return square_root(x * x + y * y); }
 
   bool is_source(int v) const
   {

@@ -11,9 +11,11 @@
 
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
-#include <CGAL/number_utils.h>
+
+#include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
 
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,7 +43,11 @@ template <typename FT>
 struct Unfolded_mesh
   : Indexed_triangle_mesh
 {
-  struct Apex { FT x, y; };
+  struct Apex
+  {
+    FT x, y;
+    FT back;      // x minus the length of h, with all its digits even if r lies very close to q
+  };
 
   // A total angle that exceeds 2 pi (or pi on the border) by no more than this does not make a
   // saddle. A path that bends by such an angle is shorter by a relative 1e-22 when it is
@@ -50,19 +56,20 @@ struct Unfolded_mesh
 
   std::vector<Apex> apex;                 // per halfedge
   std::vector<FT> length;                 // per edge
+  std::vector<FT> inverse_length;         // per edge, 0 for length 0
   std::vector<double> direction;          // per halfedge: its angle at its source
   std::vector<double> total_angle;        // per vertex
   std::vector<Vertex_passage> passage;    // per vertex
 
   Unfolded_mesh() {}
 
-  // `is_exact`: angles are floating point numbers always; with an exact number type, a vertex whose
-  // angle leaves a doubt is taken to bend paths in every direction, which costs windows but no exactness.
-  explicit Unfolded_mesh(Indexed_triangle_mesh base, bool is_exact = false)
+  // Angles are of type double always. With a number type of more digits, a vertex whose angle leaves a
+  // doubt is taken to bend paths in every direction, which costs windows but no precision.
+  explicit Unfolded_mesh(Indexed_triangle_mesh base)
     : Indexed_triangle_mesh(std::move(base))
   {
     set_lengths();
-    set_angles(is_exact);
+    set_angles();
   }
 
   bool is_canonical(int h) const { return halfedge_of_edge[edge_of[h]] == h; }
@@ -81,7 +88,7 @@ struct Unfolded_mesh
     return std::make_pair(h, angle - direction[h]);
   }
 
-  double corner_angle(int h) const { return std::atan2(to_double(apex[h].y), to_double(apex[h].x)); }
+  double corner_angle(int h) const { return std::atan2(as_double(apex[h].y), as_double(apex[h].x)); }
 
 private:
   struct Difference
@@ -92,7 +99,7 @@ private:
     Difference(const FT& x, const FT& y, const FT& z) : x(x), y(y), z(z) {}
 
     FT dot(const Difference& o) const { return x * o.x + y * o.y + z * o.z; }
-    FT norm() const { return CGAL::sqrt(dot(*this)); }
+    FT norm() const { return square_root(dot(*this)); }
     Difference cross(const Difference& o) const
     {
       return Difference(y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x);
@@ -105,17 +112,30 @@ private:
     for(int e = 0; e < number_of_edges(); ++e)
       length[e] = Difference(points[source(halfedge_of_edge[e])], points[target(halfedge_of_edge[e])]).norm();
 
+    inverse_length.resize(number_of_edges());
+    for(int e = 0; e < number_of_edges(); ++e)
+      inverse_length[e] = length[e] > FT(0) ? FT(FT(1) / length[e]) : FT(0);
+
     apex.resize(number_of_halfedges());
     for(int h = 0; h < number_of_halfedges(); ++h)
     {
       const FT& l = length[edge_of[h]];
-      const Difference u(points[source(h)], points[target(h)]), w(points[source(h)], points[target(next(h))]);
-      apex[h] = l == FT(0) ? Apex{ FT(0), FT(0) } : Apex{ u.dot(w) / l, u.cross(w).norm() / l };
+      if(l == FT(0))
+      {
+        apex[h] = Apex{ FT(0), FT(0), FT(0) };
+        continue;
+      }
+      const Point_3 &p = points[source(h)], &q = points[target(h)], &r = points[target(next(h))];
+      const Difference u(p, q), from_p(p, r), from_q(q, r);
+      // the shorter side keeps the digits of the height
+      const Difference& side = from_p.dot(from_p) < from_q.dot(from_q) ? from_p : from_q;
+      apex[h] = Apex{ u.dot(from_p) / l, u.cross(side).norm() / l, u.dot(from_q) / l };
     }
   }
 
-  void set_angles(bool is_exact)
+  void set_angles()
   {
+    const bool is_precise = ! std::is_same<FT, double>::value;
     const double pi = std::acos(-1.);
     direction.assign(number_of_halfedges(), 0.);
     total_angle.assign(number_of_vertices(), 0.);
@@ -140,7 +160,7 @@ private:
       total_angle[v] = sum;
 
       const double straight = h == -1 ? pi : 2 * pi;
-      if(has_zero_edge || (is_exact && sum > straight - doubtful_angle()))
+      if(has_zero_edge || (is_precise && sum > straight - doubtful_angle()))
         passage[v] = PASSAGE_EVERYWHERE;
       else if(sum > straight + flat_angle_tolerance())
         passage[v] = PASSAGE_IN_SHADOW;

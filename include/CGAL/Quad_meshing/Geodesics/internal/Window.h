@@ -9,39 +9,55 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H
 
-#include <CGAL/number_utils.h>
+
+#include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
 // All tolerances of the windows. Lengths are relative to the edge on which the window lies,
-// distances to the distances compared. With an exact number type all are zero.
+// distances to the distances compared. The numbers given are those for double.
 template <typename FT>
 struct Window_tolerances
 {
-  static constexpr bool is_exact() { return ! std::is_floating_point<FT>::value; }
-
-  // Window ends this close to each other (or to a vertex) are the same place; narrower windows are dropped.
-  static double place() { return is_exact() ? 0 : 1e-11; }
+  // Window ends this close to each other (or to a vertex) are the same place; narrower windows are dropped: 1e-11.
+  static FT place() { static const FT t(tolerance_of_digits<FT>(11)); return t; }
 
   // A gap between a window and its neighbour on the edge (or a vertex) is closed if its width, measured
   // across the rays, is up to the first part of the edge or the second part of the distance to the source:
   // it comes from rounding or from a saddle so shallow that it counts as flat. The distance changes by
-  // the square of it. Rays that graze the edge make the gap wider along the edge; it never may exceed `wide_gap`.
-  static double gap() { return is_exact() ? 0 : 1e-9; }
-  static double far_gap() { return is_exact() ? 0 : 1e-12; }
-  static double wide_gap() { return is_exact() ? 0 : 1e-4; }
+  // the square of it. Rays that graze the edge make the gap wider along the edge; it never may exceed
+  // `wide_gap`: 1e-9, 1e-12, 1e-4.
+  static FT gap() { static const FT t(tolerance_of_digits<FT>(9)); return t; }
+  static FT far_gap() { static const FT t(tolerance_of_digits<FT>(12)); return t; }
+  static FT wide_gap() { static const FT t(tolerance_of_digits<FT>(4)); return t; }
 
-  // Two distances that differ by less are equal, and the window that was there first stays.
-  static double tie() { return is_exact() ? 0 : 1e-14; }
+  // Two distances that differ by less are equal, and the window that was there first stays: 1e-14.
+  static FT tie() { static const FT t(tolerance_of_digits<FT>(14)); return t; }
 
-  // Neighbouring windows whose sources lie this close together (relative to their distance) are one window.
-  static double source() { return is_exact() ? 0 : 1e-13; }
+  // Neighbouring windows whose sources lie this close together (relative to their distance) are one window: 1e-13.
+  static FT source() { static const FT t(tolerance_of_digits<FT>(13)); return t; }
+
+  // Windows are filtered out by way of vertices only if they are longer by more than this, so that a
+  // vertex whose distance is a rounding error too small does no harm: 1e-9.
+  static FT filter() { static const FT t(tolerance_of_digits<FT>(9)); return t; }
+};
+
+template <>
+struct Window_tolerances<double>
+{
+  static constexpr double place() { return 1e-11; }
+  static constexpr double gap() { return 1e-9; }
+  static constexpr double far_gap() { return 1e-12; }
+  static constexpr double wide_gap() { return 1e-4; }
+  static constexpr double tie() { return 1e-14; }
+  static constexpr double source() { return 1e-13; }
+  static constexpr double filter() { return 1e-9; }
 };
 
 // A part of an edge whose points are reached from one side by straight rays: from one point
@@ -71,7 +87,7 @@ struct Window
     if(linear)
       return sigma + x * t;
     const FT d = t - x;
-    return sigma + CGAL::sqrt(d * d + y * y);
+    return sigma + square_root(d * d + y * y);
   }
 
   // Whether a gap of this width at the end b of the window may be closed, see Window_tolerances.
@@ -82,7 +98,7 @@ struct Window
       return false;
     if(linear)
       return width * y <= FT(Tol::gap()) * length;
-    const FT r = CGAL::abs(b - x) + y;
+    const FT r = absolute(b - x) + y;
     return width * y <= r * (FT(Tol::gap()) * length + FT(Tol::far_gap()) * r);
   }
 
@@ -94,11 +110,14 @@ struct Window
     return x <= b0 ? distance(b0) : x >= b1 ? distance(b1) : FT(sigma + y);
   }
 
-  void set_key()
+  // The margin makes the key a lower bound in spite of rounding and of ends that move a little.
+  static float key_of(const FT& distance)
   {
-    const float k = static_cast<float>(to_double(minimum()));
-    key = k - 1e-6f * std::abs(k);
+    const float k = static_cast<float>(as_double(distance));
+    return k - 1e-6f * std::abs(k);
   }
+
+  void set_key() { key = key_of(minimum()); }
 
   // The same window seen from the other end of the edge.
   void reverse(const FT& length)
@@ -123,12 +142,10 @@ bool have_same_source(const Window<FT>& a, const Window<FT>& b)
 {
   if(a.origin != b.origin || a.linear != b.linear || a.from_left != b.from_left)
     return false;
-  if(Window_tolerances<FT>::is_exact())
-    return a.x == b.x && a.y == b.y && a.sigma == b.sigma;
-  const FT scale = a.linear ? FT(1) : FT(CGAL::abs(a.b1 - a.x) + a.y);
+  const FT scale = a.linear ? FT(1) : FT(absolute(a.b1 - a.x) + a.y);
   const FT close = FT(Window_tolerances<FT>::source()) * scale;
-  return CGAL::abs(a.x - b.x) <= close && CGAL::abs(a.y - b.y) <= close &&
-         CGAL::abs(a.sigma - b.sigma) <= FT(Window_tolerances<FT>::source()) * (CGAL::abs(a.sigma) + scale);
+  return absolute(a.x - b.x) <= close && absolute(a.y - b.y) <= close &&
+         absolute(a.sigma - b.sigma) <= FT(Window_tolerances<FT>::source()) * (absolute(a.sigma) + scale);
 }
 
 // The places z in ]0, width[ at which the distances of two windows are equal, where z = t - l.
@@ -183,7 +200,7 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
   const FT discriminant = half_b * half_b - a * c;
   if(! (discriminant > FT(0)))
     return 0;
-  const FT root = CGAL::sqrt(discriminant);
+  const FT root = square_root(discriminant);
   const FT q = half_b > FT(0) ? FT(-half_b - root) : FT(-half_b + root);
   int n = 0;
   const auto add = [&](const FT& r)

@@ -30,12 +30,14 @@ public:
   typedef Window<FT> W;
   typedef std::vector<W> List;
 
-  // Inserts the part of `w` that is nearest. Returns whether any part of it is; those parts then
+  // Inserts the part of `w`, whose key is set, that is nearest. Returns whether any part of it is; those parts then
   // are pending in the list, and `key` is the smallest of their keys.
-  bool insert(List& list, W w, const FT& length, float& key)
+  bool insert(List& list, W& w, const FT& length, float& key)
   {
     const FT place = FT(Tol::place()) * length;
     std::size_t i = 0;
+    if(! list.empty() && list.back().b1 <= w.b0)
+      i = list.size();
     while(i < list.size() && list[i].b1 <= w.b0)
       ++i;
     std::size_t j = i;
@@ -48,6 +50,13 @@ public:
       --j;
     if(! (w.b1 - w.b0 > place))
       return false;
+
+    if(i == j)
+    {
+      fill_gap(list, i, w);
+      key = w.key;
+      return true;
+    }
 
     // list[i..j[ overlap with w. Sweep over them.
     m_pieces.clear();
@@ -84,11 +93,41 @@ private:
     bool is_new;
   };
 
+  // Inserts w, which overlaps with nothing, before list[i]: by far the most frequent case.
+  void fill_gap(List& list, std::size_t i, W& w) const
+  {
+    const bool joins_left = i > 0 && can_join(list[i - 1], w);
+    const bool joins_right = i < list.size() && can_join(w, list[i]);
+    if(joins_left)
+    {
+      w.b0 = list[i - 1].b0;
+      w.key = (std::min)(w.key, list[i - 1].key);
+    }
+    if(joins_right)
+    {
+      w.b1 = list[i].b1;
+      w.key = (std::min)(w.key, list[i].key);
+    }
+    if(joins_left && joins_right)
+    {
+      list[i - 1] = w;
+      list.erase(list.begin() + i);
+    }
+    else if(joins_left || joins_right)
+      list[joins_left ? i - 1 : i] = w;
+    else
+    {
+      if(list.size() == list.capacity())
+        list.reserve(list.empty() ? first_capacity() : list.size() + list.size() / 2);
+      list.insert(list.begin() + i, w);
+    }
+  }
+
+  static std::size_t first_capacity() { return 4; }
+
   // Moves the ends of w to places where something ends already, when they are that close.
   void adjust_ends(const List& list, W& w, std::size_t i, std::size_t j, const FT& length) const
   {
-    if(Tol::is_exact())
-      return;
     const FT place = FT(Tol::place()) * length;
 
     if(i < list.size() && list[i].b0 < w.b0)
@@ -142,7 +181,7 @@ private:
   static int compare(const W& w, const W& old, const FT& t)
   {
     const FT d = old.distance(t), difference = w.distance(t) - d;
-    const FT tie = FT(Tol::tie()) * CGAL::abs(d);
+    const FT tie = FT(Tol::tie()) * absolute(d);
     return difference < -tie ? -1 : difference > tie ? 1 : 0;
   }
 
@@ -186,8 +225,6 @@ private:
   // The quadratic equation loses digits that one Newton step on the distances themselves gives back.
   static FT polished(const W& w, const W& old, const FT& t, const FT& l, const FT& r)
   {
-    if(Tol::is_exact())
-      return t;
     const FT slope = derivative(w, t) - derivative(old, t);
     const FT s = t - (w.distance(t) - old.distance(t)) / slope;
     return s > l && s < r ? s : t;
@@ -198,7 +235,7 @@ private:
     if(w.linear)
       return w.x;
     const FT d = t - w.x;
-    return d / CGAL::sqrt(d * d + w.y * w.y);
+    return d / square_root(d * d + w.y * w.y);
   }
 
   // Puts the pieces in the place of list[i..j[, joins windows with one source, and sets keys.

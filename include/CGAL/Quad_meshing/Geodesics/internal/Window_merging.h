@@ -30,14 +30,14 @@ namespace internal {
 template <typename FT>
 FT distance_slope(const Window<FT>& w, const FT& t)
 {
-  return w.linear ? w.x : FT((t - w.x) / CGAL::sqrt((t - w.x) * (t - w.x) + w.y * w.y));
+  return w.linear ? w.x : FT((t - w.x) / square_root((t - w.x) * (t - w.x) + w.y * w.y));
 }
 
 // The largest difference between two windows of one kind within `old`.
 template <typename FT>
 double largest_difference(const Window<FT>& merged, const Window<FT>& old)
 {
-  const auto at = [&](const FT& t) { return std::abs(to_double(FT(merged.distance(t) - old.distance(t)))); };
+  const auto at = [&](const FT& t) { return std::abs(as_double(FT(merged.distance(t) - old.distance(t)))); };
   const double worst = (std::max)(at(old.b0), at(old.b1));
   if(merged.linear || merged.y == old.y)
     return worst;
@@ -53,7 +53,7 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
   if(l.linear != r.linear || l.from_left != r.from_left || l.b1 != r.b0)
     return false;
   const FT width = r.b1 - l.b0, at_l = l.distance(l.b0), at_r = r.distance(r.b1), rise = at_r - at_l;
-  if(! (CGAL::abs(rise) < width))
+  if(! (absolute(rise) < width))
     return false;
   const FT slope_l = distance_slope(l, l.b0), slope_r = distance_slope(r, r.b1);
   merged = l;
@@ -64,7 +64,7 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
     if(slope_l < slope_r)
       return false;
     merged.x = rise / width;
-    merged.y = CGAL::sqrt(FT(1) - merged.x * merged.x);
+    merged.y = square_root(FT(1) - merged.x * merged.x);
     merged.sigma = at_l - merged.x * l.b0;
   }
   else
@@ -86,11 +86,11 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
     if(! (y2 > FT(0)))
       return false;
     merged.x = l.b0 + x;
-    merged.y = CGAL::sqrt(y2);
+    merged.y = square_root(y2);
     merged.sigma = at_l - d;
   }
   const double error = (std::max)(l.error + largest_difference(merged, l), r.error + largest_difference(merged, r));
-  const double nearest = to_double((std::min)(l.minimum(), r.minimum()));
+  const double nearest = as_double((std::min)(l.minimum(), r.minimum()));
   const double with_rounding = error * (1 + 1e-6);
   if(! (with_rounding <= allowed * (nearest - with_rounding)))
     return false;

@@ -92,8 +92,8 @@ public:
   {
     for(int k = 0; k < 3; ++k)
     {
-      reach(m_mesh.source(h), offset + CGAL::sqrt(x * x + y * y), origin, 0.f,
-            m_mesh.direction[h] + std::atan2(to_double(y), to_double(x)));
+      reach(m_mesh.source(h), offset + square_root(x * x + y * y), origin, 0.f,
+            m_mesh.direction[h] + std::atan2(as_double(y), as_double(x)));
       W w = circular(x, y, offset, origin);
       w.b1 = m_mesh.length_of(h);
       send(h, w);
@@ -123,7 +123,7 @@ public:
     for(int k = 0; k < 3; ++k)
     {
       const FT length = m_mesh.length_of(h);
-      const FT vx = bx - ax, vy = by - ay, norm = CGAL::sqrt(vx * vx + vy * vy);
+      const FT vx = bx - ax, vy = by - ay, norm = square_root(vx * vx + vy * vy);
       const FT ux = vx / norm, uy = vy / norm;
       for(int side = 0; side < 2; ++side)
       {
@@ -132,7 +132,7 @@ public:
         // the corner at the origin of the frame
         if(-ua >= FT(0) && -ua <= norm && -na >= FT(0))
           reach(m_mesh.source(h), offset - na, origin, 0.f,
-                m_mesh.direction[h] + std::atan2(to_double(FT(-ny)), to_double(FT(-nx))));
+                m_mesh.direction[h] + std::atan2(as_double(FT(-ny)), as_double(FT(-nx))));
         if(! (ny < FT(0)))
           continue;
         const FT slack = FT(Tol::place()) * length;
@@ -173,7 +173,7 @@ private:
   {
     double sum = 0;
     for(const FT& l : mesh.length)
-      sum += to_double(l);
+      sum += as_double(l);
     return mesh.length.empty() || ! (sum > 0) ? 1. : sum / static_cast<double>(mesh.length.size());
   }
 
@@ -197,7 +197,7 @@ private:
   void to_next_frame(int h, FT& x, FT& y) const
   {
     const FT l = m_mesh.length_of(h), n = m_mesh.length_of(Mesh::next(h));
-    const FT vx = m_mesh.apex[h].x - l, vy = m_mesh.apex[h].y, dx = x - l;
+    const FT vx = m_mesh.apex[h].back, vy = m_mesh.apex[h].y, dx = x - l;
     x = (dx * vx + y * vy) / n;
     y = (y * vx - dx * vy) / n;
   }
@@ -220,7 +220,7 @@ private:
     label.origin = origin;
     label.angle = angle;
     label.error = error;
-    m_queue.push_vertex(v, to_double(d));
+    m_queue.push_vertex(v, as_double(d));
   }
 
   // Goes on from a vertex: along its edges always, which lets no vertex unreached whatever rounding
@@ -324,9 +324,9 @@ private:
       h = Mesh::next(h);
       const FT length = m_mesh.length_of(h);
       if(k == 0)
-        reach(m_mesh.target(h), sigma + CGAL::sqrt((x - length) * (x - length) + y * y), origin, error,
+        reach(m_mesh.target(h), sigma + square_root((x - length) * (x - length) + y * y), origin, error,
               m_mesh.direction[Mesh::next(h)] + m_mesh.corner_angle(Mesh::next(h)) -
-              std::atan2(to_double(y), to_double(FT(length - x))));
+              std::atan2(as_double(y), as_double(FT(length - x))));
       if(y > FT(0))
       {
         W w = circular(x, y, sigma, origin);
@@ -386,7 +386,7 @@ private:
   double latest(int e) const
   {
     const int h = m_mesh.halfedge_of_edge[e];
-    return to_double(FT((m_labels[m_mesh.source(h)].distance + m_labels[m_mesh.target(h)].distance + m_mesh.length[e]) / FT(2)));
+    return as_double(FT((m_labels[m_mesh.source(h)].distance + m_labels[m_mesh.target(h)].distance + m_mesh.length[e]) / FT(2)));
   }
 
   void merge_pending(List& list) const
@@ -410,7 +410,7 @@ private:
       return;
     ++m_propagations;
     const FT l = m_mesh.length_of(h);
-    const FT rx = m_mesh.apex[h].x, ry = m_mesh.apex[h].y;
+    const FT rx = m_mesh.apex[h].x, ry = m_mesh.apex[h].y, back = m_mesh.apex[h].back;
     const int right = Mesh::next(h), left = Mesh::prev(h);
 
     // the ray to the third vertex crosses h at t
@@ -419,25 +419,25 @@ private:
     if((t >= w.b0 || w.closes_gap(w.b0 - t, w.b0, l)) && (t <= w.b1 || w.closes_gap(t - w.b1, w.b1, l)))
     {
       const FT bx = w.linear ? w.x : FT(rx - w.x), by = w.linear ? w.y : FT(ry + w.y);
-      const FT d = w.linear ? FT(w.sigma + rx * bx + ry * by) : FT(w.sigma + CGAL::sqrt(bx * bx + by * by));
+      const FT d = w.linear ? FT(w.sigma + rx * bx + ry * by) : FT(w.sigma + square_root(bx * bx + by * by));
       Vertex_label<FT>& label = m_labels[m_mesh.target(right)];
       if(d < label.distance)
       {
         // the angle from the way to p, (-rx, -ry), to the way back, (-bx, -by)
-        const double angle = std::atan2(to_double(FT(rx * by - ry * bx)), to_double(FT(rx * bx + ry * by)));
+        const double angle = std::atan2(as_double(FT(rx * by - ry * bx)), as_double(FT(rx * bx + ry * by)));
         reach(m_mesh.target(right), d, w.origin, w.error, m_mesh.direction[left] + angle);
       }
     }
 
     if(t < w.b1 - place)
     {
-      const FT n = m_mesh.length_of(right);
+      const FT n = m_mesh.length_of(right), inverse = m_mesh.inverse_length[m_mesh.edge_of[right]];
       W v = w;
       v.from_left = true;
       v.pending = true;
-      v.b0 = n * right_fraction(w, w.b1, l, rx, ry);
-      v.b1 = t > w.b0 - place ? n : FT(n * right_fraction(w, w.b0, l, rx, ry));
-      const FT ux = (rx - l) / n, uy = ry / n;
+      v.b0 = n * right_fraction(w, w.b1, l, back, ry);
+      v.b1 = t > w.b0 - place ? n : FT(n * right_fraction(w, w.b0, l, back, ry));
+      const FT ux = back * inverse, uy = ry * inverse;
       if(w.linear)
       {
         v.sigma = w.sigma + w.x * l;
@@ -453,13 +453,13 @@ private:
     }
     if(t > w.b0 + place)
     {
-      const FT n = m_mesh.length_of(left);
+      const FT n = m_mesh.length_of(left), inverse = m_mesh.inverse_length[m_mesh.edge_of[left]];
       W v = w;
       v.from_left = true;
       v.pending = true;
       v.b0 = t < w.b1 + place ? FT(0) : FT(n * (FT(1) - left_fraction(w, w.b1, rx, ry)));
       v.b1 = n * (FT(1) - left_fraction(w, w.b0, rx, ry));
-      const FT ux = -rx / n, uy = -ry / n;
+      const FT ux = -rx * inverse, uy = -ry * inverse;
       if(w.linear)
       {
         v.sigma = w.sigma + w.x * rx + w.y * ry;
@@ -476,10 +476,10 @@ private:
   }
 
   // The ray of w through the place b meets the line from q to r at this fraction of the way from q.
-  static FT right_fraction(const W& w, const FT& b, const FT& l, const FT& rx, const FT& ry)
+  static FT right_fraction(const W& w, const FT& b, const FT& l, const FT& back, const FT& ry)
   {
     const FT dx = w.linear ? w.x : FT(b - w.x);
-    return w.y * (l - b) / (dx * ry - w.y * (rx - l));
+    return w.y * (l - b) / (dx * ry - w.y * back);
   }
 
   // The ray of w through the place b meets the line from p to r at this fraction of the way from p.
@@ -504,17 +504,16 @@ private:
 
     // Xin and Wang 2009: rays that are longer than the way over an end of the edge lead nowhere.
     const FT d0 = w.distance(w.b0), d1 = w.distance(w.b1);
-    const FT margin = FT(1) - FT(filter_margin());
+    const FT margin = FT(1) - Tol::filter();
     if(m_labels[m_mesh.source(h)].distance + w.b1 < d1 * margin ||
        m_labels[m_mesh.target(h)].distance + (l - w.b0) < d0 * margin)
       return;
     if(! m_keep_windows && latest(m_mesh.edge_of[h]) <= m_queue.front())
       return;
+    w.key = W::key_of(w.linear ? (std::min)(d0, d1) : w.x <= w.b0 ? d0 : w.x >= w.b1 ? d1 : FT(w.sigma + w.y));
     store(h, w, true);
   }
   void send(int h, W&& w) { W v = w; send(h, v); }
-
-  static double filter_margin() { return Tol::is_exact() ? 0 : 1e-9; }
 
   void store(int h, const W& w, bool pending)
   {

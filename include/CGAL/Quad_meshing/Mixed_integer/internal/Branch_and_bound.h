@@ -123,6 +123,14 @@ public:
     , m_pseudo_costs(initial_costs(m_inverse_factor))
   {}
 
+  // The least energy without integer conditions, infinite if the constraints contradict each other.
+  double relaxed_energy()
+  {
+    Eigen::VectorXd y;
+    double energy;
+    return relax(m_problem.lower, m_problem.upper, y, energy) ? energy : std::numeric_limits<double>::infinity();
+  }
+
   // `incumbent` is a feasible point to start with; it may be empty.
   Search_result run(const Eigen::VectorXd& incumbent, double incumbent_energy)
   {

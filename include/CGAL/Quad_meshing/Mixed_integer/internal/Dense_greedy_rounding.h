@@ -13,6 +13,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,6 +30,8 @@ inline Eigen::VectorXd dense_greedy_rounding(const Eigen::LLT<Eigen::MatrixXd>& 
   // Estimates that differ by less than this are tied; the lowest index wins.
   const double tie = 1e-7;
   const int m = static_cast<int>(target.size());
+  if(m == 0)
+    return target;
   Eigen::MatrixXd C = cholesky.solve(Eigen::MatrixXd::Identity(m, m));
   Eigen::VectorXd y = target;
   // The open variables are kept in front, in C and here: C shrinks as roundings go on.

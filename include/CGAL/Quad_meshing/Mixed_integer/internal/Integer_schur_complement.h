@@ -48,9 +48,13 @@ public:
     const Eigen::VectorXd rhs = subvector(problem.b, I) - transposed * x0;
     if(!invert_or_shift())
       return false;
-    m_target = m_cholesky.solve(rhs);
-    // One step of iterative refinement: targets that are integers should look like integers.
-    m_target += m_cholesky.solve(Eigen::VectorXd(rhs - m_schur * m_target));
+    m_target = rhs;
+    if(m_target.size() > 0)
+    {
+      m_target = m_cholesky.solve(rhs);
+      // One step of iterative refinement: targets that are integers should look like integers.
+      m_target += m_cholesky.solve(Eigen::VectorXd(rhs - m_schur * m_target));
+    }
     m_relaxed_energy = problem.energy(complete(m_target));
     return true;
   }
@@ -86,8 +90,10 @@ private:
   // The integers may leave directions without energy; they get a little.
   bool invert_or_shift()
   {
+    if(m_schur.size() == 0)
+      return true;
     m_cholesky.compute(m_schur);
-    const double largest = m_schur.size() > 0 ? m_schur.diagonal().cwiseAbs().maxCoeff() : 0.;
+    const double largest = m_schur.diagonal().cwiseAbs().maxCoeff();
     for(double relative_shift : { 1e-14, 1e-12, 1e-10, 1e-8 })
     {
       if(is_definite())
@@ -105,7 +111,7 @@ private:
     if(m_cholesky.info() != Eigen::Success)
       return false;
     const Eigen::VectorXd d = m_cholesky.matrixLLT().diagonal();
-    return d.size() == 0 || (d.allFinite() && d.minCoeff() * d.minCoeff() > relative_pivot * d.maxCoeff() * d.maxCoeff());
+    return d.allFinite() && d.minCoeff() * d.minCoeff() > relative_pivot * d.maxCoeff() * d.maxCoeff();
   }
 
   const Reduced_problem* m_problem = nullptr;

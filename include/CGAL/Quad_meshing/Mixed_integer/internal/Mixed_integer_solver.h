@@ -11,6 +11,8 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Branch_and_bound.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Branch_and_cut.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_greedy_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_lattice_rounding.h>
@@ -65,8 +67,7 @@ public:
       case NAIVE_ROUNDING: m_ran = naive_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options); break;
       case GREEDY_ROUNDING: run_greedy(); break;
       case LATTICE_ROUNDING: run_lattice(); break;
-      default:
-        return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM, "The method is not known.");
+      default: return run_search();
     }
     return finish();
   }
@@ -128,6 +129,17 @@ private:
     m_solution.dense_roundings = schur.size();
   }
 
+  // Asks the visitor and the clock.
+  std::function<bool()> limits()
+  {
+    const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    return [this, begin]()
+    {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      return seconds < m_options.maximum_running_time && m_options.go_further(0.5);
+    };
+  }
+
   void run_lattice()
   {
     if(!has_few_integers())
@@ -142,12 +154,7 @@ private:
       return;
     m_solution.relaxed_energy = schur.relaxed_energy();
 
-    const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-    const std::function<bool()> go_further = [&]()
-    {
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      return seconds < m_options.maximum_running_time && m_options.go_further(0.5);
-    };
+    const std::function<bool()> go_further = limits();
     const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
     Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes, go_further);
     const Lattice_result result = lattice.run(greedy);
@@ -156,6 +163,134 @@ private:
     m_is_proven = result.is_optimal;
     m_solution.lower_bound = schur.relaxed_energy() + result.cost_bound;
   }
+
+  // The general methods of thesis Ch. 4.
+  Mixed_integer_solution run_search()
+  {
+    const Bounded_problem bounded = make_bounded_problem(m_problem, m_constraints);
+    if(bounded.is_infeasible)
+      return fail(Mixed_integer_solution::INFEASIBLE, "A bound contradicts the other constraints.");
+    double largest = 0.;
+    for(int j = 0; j < m_reduced.A.cols(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(m_reduced.A, j); it; ++it)
+        largest = (std::max)(largest, std::fabs(it.value()));
+    return largest == 0. ? search_linear(bounded) : search_quadratic(bounded);
+  }
+
+  Mixed_integer_solution search_linear(const Bounded_problem& bounded)
+  {
+    std::vector<char> is_kept(m_reduced.size(), 0);
+    for(int v : bounded.kept)
+      is_kept[v] = 1;
+    for(int v = 0; v < m_reduced.size(); ++v)
+      if(!is_kept[v] && m_reduced.b[v] != 0.)
+        return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+    const std::function<bool()> go_further = limits();
+    const Eigen::VectorXd c = -subvector(m_reduced.b, bounded.kept);
+    const Linear_master master(bounded, c, m_reduced.constant);
+    Exact_dual_simplex relaxation = master.make_program();
+    if(relaxation.solve())
+      m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
+    Search_result result;
+    if(m_options.method == CUTTING_PLANES)
+      result = cutting_planes(master, m_options, go_further);
+    else
+    {
+      Branch_and_cut search(master, m_options, m_options.method == BRANCH_AND_BOUND ? 0 : cut_rounds, go_further);
+      result = search.run(Eigen::VectorXd(), 0.);
+    }
+    if(result.is_found)
+    {
+      m_z = Eigen::VectorXd::Zero(m_reduced.size());
+      for(int i = 0; i < bounded.size(); ++i)
+        m_z[bounded.kept[i]] = result.y[i];
+    }
+    return finish_search(result);
+  }
+
+  Mixed_integer_solution search_quadratic(const Bounded_problem& bounded)
+  {
+    if(m_options.method == CUTTING_PLANES)
+      return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
+                  "Cutting planes alone need a linear objective; outer approximation takes convex ones.");
+    // The other variables follow from those that matter to the search.
+    Reduced_problem kept = m_reduced;
+    kept.integers = bounded.kept;
+    kept.reals.clear();
+    std::vector<char> is_kept(m_reduced.size(), 0);
+    for(int v : bounded.kept)
+      is_kept[v] = 1;
+    for(int v = 0; v < m_reduced.size(); ++v)
+      if(!is_kept[v])
+        kept.reals.push_back(v);
+    LinearSolver solver;
+    Integer_schur_complement<LinearSolver> schur;
+    m_ran = schur.compute(kept, solver, m_solution.factorizations);
+    if(!m_ran || bounded.size() == 0)
+    {
+      if(m_ran)
+      {
+        m_z = schur.complete(schur.target());
+        m_solution.relaxed_energy = m_solution.lower_bound = schur.relaxed_energy();
+      }
+      return finish();
+    }
+
+    const std::function<bool()> go_further = limits();
+    const double constant = schur.relaxed_energy();
+    Eigen::VectorXd incumbent;
+    double radius = std::numeric_limits<double>::infinity();
+    if(!m_problem.has_inequalities())
+    {
+      incumbent = dense_greedy_rounding(schur.cholesky(), schur.target());
+      radius = schur.cost(incumbent);
+      m_solution.relaxed_energy = constant;
+    }
+    Search_result result;
+    if(m_options.method == BRANCH_AND_BOUND)
+    {
+      Branch_and_bound search(bounded, schur.matrix(), schur.target(), constant, m_options, go_further);
+      if(incumbent.size() == 0)
+        m_solution.relaxed_energy = search.relaxed_energy();
+      result = search.run(incumbent, constant + radius);
+    }
+    else
+    {
+      const Linear_master master(bounded, schur.matrix(), schur.target(), constant, radius);
+      if(incumbent.size() == 0)
+        m_solution.relaxed_energy =
+          Branch_and_bound(bounded, schur.matrix(), schur.target(), constant, m_options, go_further).relaxed_energy();
+      if(m_options.method == OUTER_APPROXIMATION)
+        result = outer_approximation(master, m_options, incumbent, constant + radius, go_further);
+      else
+      {
+        Branch_and_cut search(master, m_options, cut_rounds, go_further);
+        result = search.run(incumbent, constant + radius);
+      }
+    }
+    if(result.is_found)
+      m_z = schur.complete(result.y);
+    return finish_search(result);
+  }
+
+  Mixed_integer_solution finish_search(const Search_result& result)
+  {
+    m_solution.nodes = result.nodes;
+    m_solution.cuts = result.cuts;
+    if(result.is_unbounded)
+      return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+    if(!result.is_found && result.is_complete)
+      return fail(Mixed_integer_solution::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
+    m_solution.lower_bound = result.lower_bound;
+    if(!result.is_found)
+      return fail(Mixed_integer_solution::LIMIT_REACHED, "A limit was met before a feasible solution was found.");
+    m_is_proven = result.is_complete && m_options.relative_gap_tolerance <= proof_tolerance;
+    return finish();
+  }
+
+  // A search that may leave a larger gap reports the bound it has proven, not the energy.
+  static constexpr double proof_tolerance = 1e-6;
+  static constexpr int cut_rounds = 5;
 
   Mixed_integer_solution finish()
   {

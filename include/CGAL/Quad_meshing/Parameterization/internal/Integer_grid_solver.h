@@ -18,6 +18,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Separations.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -35,11 +36,13 @@ class Integer_grid_solver
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 
+  // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need not be aligned.
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
-                      const std::vector<int>& period_jump, const std::vector<bool>& is_singular,
+                      const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing)
-    : mesh(mesh), charts(mesh, angle, period_jump, is_singular), coordinates(charts, is_singular, is_aligned),
-      faces(charts, sizing)
+    : mesh(mesh), is_singular(singular_vertices(mesh, quarters)),
+      charts(mesh, angle, period_jump, is_singular), coordinates(charts, is_singular, is_aligned), faces(charts, sizing),
+      sectors(coordinates, quarters, is_aligned), optimization(coordinates, faces, sectors)
   {}
 
   int number_of_integers() const
@@ -60,9 +63,8 @@ public:
     constant = energy.constant;
     relaxed_energy = reduction.energy(relaxed) + constant;
     // Moving vertices alone is local and nearly always enough; translations and grid lines reach far.
-    Map_optimization optimization(coordinates, faces);
-    if(!optimization.untangle(relaxed, coordinates.is_integer).empty())
-      optimization.untangle(relaxed, std::vector<bool>(relaxed.size(), false));
+    if(!optimization.untangle(relaxed, coordinates.is_integer))
+      optimization.untangle(relaxed, std::vector<bool>(relaxed.size(), false), 3);
     return true;
   }
 
@@ -109,9 +111,8 @@ public:
   // With the integers fixed: stiffening, as long as it is asked for and there are fold-overs, then moving vertices.
   void remove_fold_overs(unsigned int stiffening_iterations, double anisotropy)
   {
-    Map_optimization optimization(coordinates, faces);
     Stiffening stiffening(coordinates, faces);
-    for(unsigned int i = 0; i < stiffening_iterations && !optimization.folded_faces(x, 0).empty(); ++i)
+    for(unsigned int i = 0; i < stiffening_iterations && !optimization.folded_faces(x).empty(); ++i)
     {
       stiffening.update_weights(x);
       const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy);
@@ -122,7 +123,7 @@ public:
       for(std::size_t k = 0; k < stiffened.integers.size(); ++k)
         y[k] = x[stiffened.integers[k]];
       const Eigen::VectorXd z = stiffened.complete(y);
-      if(optimization.folded_faces(z, 0).size() >= optimization.folded_faces(x, 0).size())
+      if(optimization.folded_faces(z).size() >= optimization.folded_faces(x).size())
         break; // more of it can make things worse
       x = z;
     }
@@ -173,17 +174,21 @@ public:
     return Point_2(coordinates.value(w, 0, x), coordinates.value(w, 1, x));
   }
 
-  // The faces whose images are not positively oriented, decided exactly.
+  // The faces whose images are not positively oriented, decided exactly, and those around vertices that
+  // the images wind around with a wrong angle; on an exact map this angle is a multiple of a right one.
   std::vector<int> folded_faces() const
   {
-    std::vector<int> folded;
+    std::vector<int> folded = optimization.folded_faces(x);
     for(int f = 0; f < mesh.number_of_faces(); ++f)
       if(orientation(corner(f, 0), corner(f, 1), corner(f, 2)) != LEFT_TURN)
         folded.push_back(f);
+    std::sort(folded.begin(), folded.end());
+    folded.erase(std::unique(folded.begin(), folded.end()), folded.end());
     return folded;
   }
 
   const Indexed_triangle_mesh& mesh;
+  const std::vector<bool> is_singular;
   const Combed_charts charts;
   const Seamless_coordinates coordinates;
   const Face_gradients faces;
@@ -192,8 +197,21 @@ public:
   int number_of_separations = 0, number_of_broken_separations = 0;
 
 private:
+  const Vertex_sectors sectors;
+  Map_optimization optimization;
   Integer_reduction reduction;
   double constant = 0;
+
+  static std::vector<bool> singular_vertices(const Indexed_triangle_mesh& mesh, const std::vector<int>& quarters)
+  {
+    std::vector<bool> on_border(mesh.number_of_vertices(), false), result(mesh.number_of_vertices(), false);
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if(mesh.opposite[h] == -1)
+        on_border[mesh.source(h)] = on_border[mesh.target(h)] = true;
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      result[v] = quarters[v] != -1 && quarters[v] != (on_border[v] ? 2 : 4);
+    return result;
+  }
 };
 
 } // namespace internal

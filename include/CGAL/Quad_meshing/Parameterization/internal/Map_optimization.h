@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Regularized_distortion.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
 
 #include <Eigen/SparseCore>
 
@@ -36,8 +37,8 @@ namespace internal {
 class Map_optimization
 {
 public:
-  Map_optimization(const Seamless_coordinates& coordinates, const Face_gradients& faces)
-    : coordinates(coordinates), mesh(coordinates.charts.mesh), faces(faces)
+  Map_optimization(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors)
+    : coordinates(coordinates), mesh(coordinates.charts.mesh), faces(faces), sectors(sectors)
   {
     double total = 0;
     for(double a : faces.area)
@@ -50,40 +51,49 @@ public:
       weight[f] = (std::max)(faces.area[f], least);
   }
 
-  double determinant(int f, const Eigen::VectorXd& x) const
-  {
-    return faces.jacobian(f, corner_coordinates(coordinates, f, x)).determinant();
-  }
+  // The faces that are folded over, and all the faces of a sector around a vertex whose images wind around it too often or
+  // too seldom: there the map is not injective although every triangle may be well oriented.
+  std::vector<int> folded_faces(const Eigen::VectorXd& x) const { return faces_below(x, 0); }
 
-  std::vector<int> folded_faces(const Eigen::VectorXd& x, double least_determinant) const
-  {
-    std::vector<int> folded;
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
-      if(!(determinant(f, x) > least_determinant))
-        folded.push_back(f);
-    return folded;
-  }
-
-  // Removes fold-overs by moving the variables that `is_fixed` does not hold. Returns the faces
-  // that are still folded; `x` is then the best map that was found.
-  std::vector<int> untangle(Eigen::VectorXd& x, const std::vector<bool>& is_fixed)
+  // Removes fold-overs by moving the variables that `is_fixed` does not hold; `x` becomes the best map that was found.
+  // Returns whether none is left.
+  bool untangle(Eigen::VectorXd& x, const std::vector<bool>& is_fixed, int most_rings = 12)
   {
     // a determinant below this share of the ideal one is worth a repair, though not folded
     const double least_determinant = 1e-2;
-    for(int rings : { 3, 8, 20 })
+    std::vector<int> bad = faces_below(x, least_determinant);
+    std::size_t folded = folded_faces(x).size();
+    for(int rings : { 3, 6, 12 })
     {
-      const std::vector<int> bad = folded_faces(x, least_determinant);
       if(bad.empty())
-        return bad;
-      Eigen::VectorXd y = x;
-      restrict_to(vertices_around(bad, rings), is_fixed);
-      minimize(y, 40, true);
-      if(folded_faces(y, 0).size() <= folded_faces(x, 0).size())
-        x = y;
-      if(folded_faces(x, 0).empty())
-        break;
+        return true;
+      if(rings > most_rings)
+        return false;
+      // From where the map is; then from a start that forgets how triangles were folded: no descent gets an image that winds
+      // around a vertex the wrong number of times to wind around it once.
+      for(bool anew : { false, true })
+      {
+        Eigen::VectorXd y = x;
+        const std::vector<bool> inside = vertices_around(bad, rings);
+        if(anew)
+        {
+          restrict_to(inside, coordinates.is_integer);
+          make_harmonic(y, open_folded_stars(y));
+        }
+        restrict_to(inside, is_fixed);
+        minimize(y, 60, true);
+        const std::size_t n = folded_faces(y).size();
+        if(n < folded)
+        {
+          x = y;
+          folded = n;
+        }
+        if(folded == 0)
+          return true;
+      }
+      bad = folded_faces(x);
     }
-    return folded_faces(x, 0);
+    return false;
   }
 
   // Lowers the distortion of a map without fold-overs everywhere.
@@ -97,11 +107,182 @@ private:
   const Seamless_coordinates& coordinates;
   const Indexed_triangle_mesh& mesh;
   const Face_gradients& faces;
+  const Vertex_sectors& sectors;
   std::vector<double> weight;  // per face
   std::vector<int> active;     // faces
   std::vector<int> number;     // per variable: its number among the free ones, -1 if fixed
   std::vector<int> variables;  // the free ones
   Regularized_distortion distortion;
+
+  double determinant(int f, const Eigen::VectorXd& x) const
+  {
+    return faces.jacobian(f, corner_coordinates(coordinates, f, x)).determinant();
+  }
+
+  std::vector<int> faces_below(const Eigen::VectorXd& x, double least_determinant) const
+  {
+    std::vector<double> angle(sectors.list.size(), 0.);
+    std::vector<bool> is_bad(mesh.number_of_faces(), false);
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const Eigen::Matrix<double, 2, 3> p = corner_coordinates(coordinates, f, x);
+      is_bad[f] = !(faces.jacobian(f, p).determinant() > least_determinant);
+      for(int k = 0; k < 3; ++k)
+        if(sectors.sector_of_corner[3 * f + k] != -1)
+          angle[sectors.sector_of_corner[3 * f + k]] += angle_of_image(p, k);
+    }
+    for(std::size_t i = 0; i < angle.size(); ++i)
+      if(std::lround(angle[i] / right_angle()) != sectors.list[i].quarters)
+        for(int h : sectors.list[i].halfedges)
+          is_bad[h / 3] = true;
+    std::vector<int> result;
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+      if(is_bad[f])
+        result.push_back(f);
+    return result;
+  }
+
+  static double right_angle() { return std::acos(-1.) / 2; }
+
+  // The signed angle of corner k of a triangle in the plane.
+  static double angle_of_image(const Eigen::Matrix<double, 2, 3>& p, int k)
+  {
+    const Eigen::Vector2d a = p.col((k + 1) % 3) - p.col(k), b = p.col((k + 2) % 3) - p.col(k);
+    return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+
+  // Lays out the neighbours of irregular vertices with folded faces anew: in their order, at angles in the proportion of those on
+  // the surface and that fill the sector, at a part of their distance. Returns which variables have got a place.
+  std::vector<bool> open_folded_stars(Eigen::VectorXd& x) const
+  {
+    std::vector<bool> is_folded(mesh.number_of_faces(), false), is_placed(coordinates.number_of_variables(), false);
+    for(int f : folded_faces(x))
+      is_folded[f] = true;
+    for(const Vertex_sectors::Sector& sector : sectors.list)
+      if(sector.is_irregular &&
+         std::any_of(sector.halfedges.begin(), sector.halfedges.end(), [&](int h) { return is_folded[h / 3]; }))
+        open_sector(sector, x, is_placed);
+    return is_placed;
+  }
+
+  void open_sector(const Vertex_sectors::Sector& sector, Eigen::VectorXd& x, std::vector<bool>& is_placed) const
+  {
+    double total = 0;
+    for(int h : sector.halfedges)
+      total += angle_at_source(h);
+    const double scale = total > 0 ? sector.quarters * right_angle() / total : 0;
+
+    // Directions in the chart of the face of each halfedge; `turned` counts the quarters from the first chart.
+    std::vector<double> direction(sector.halfedges.size());
+    Eigen::Vector2d mean(0, 0);
+    double along = 0;
+    int turned = 0;
+    for(std::size_t i = 0; i < direction.size(); ++i)
+    {
+      const int h = sector.halfedges[i];
+      direction[i] = along + turned * right_angle();
+      const Eigen::Vector2d d = in_field_frame(h);
+      const double off = std::atan2(d.y(), d.x()) - direction[i];
+      mean += Eigen::Vector2d(std::cos(off), std::sin(off));
+      along += scale * angle_at_source(h);
+      if(i + 1 < direction.size())
+        turned += Vertex_sectors::quarters_across(coordinates.charts, Indexed_triangle_mesh::prev(h));
+    }
+    const double offset = sector.is_anchored ? coordinates.quarter_of(sector.halfedges.front()) * right_angle()
+                                             : std::atan2(mean.y(), mean.x());
+    for(std::size_t i = 0; i < direction.size(); ++i)
+    {
+      const int h = sector.halfedges[i];
+      place(h, Indexed_triangle_mesh::next(h), direction[i] + offset, in_field_frame(h).norm(), x, is_placed);
+    }
+    if(sector.is_anchored)
+      place(sector.halfedges.back(), sector.last, along + turned * right_angle() + offset, in_field_frame(sector.last).norm(), x,
+            is_placed);
+  }
+
+  // Moves the free coordinates of a corner to a place seen from another corner of the same face.
+  void place(int center, int corner, double direction, double distance, Eigen::VectorXd& x,
+             std::vector<bool>& is_placed) const
+  {
+    const double relative_radius = 0.5;
+    const int from = coordinates.charts.wedge_of_corner[center], w = coordinates.charts.wedge_of_corner[corner];
+    const double target[2] = { coordinates.value(from, 0, x) + relative_radius * distance * std::cos(direction),
+                               coordinates.value(from, 1, x) + relative_radius * distance * std::sin(direction) };
+    for(int c = 0; c < 2; ++c)
+      for(const auto& t : coordinates.coordinates[w][c])
+        if(number[t.first] != -1)
+        {
+          x[t.first] += (target[c] - coordinates.value(w, c, x)) / t.second;
+          is_placed[t.first] = true;
+          break;
+        }
+  }
+
+  double angle_at_source(int h) const
+  {
+    const auto a = mesh.vector(h), b = -mesh.vector(Indexed_triangle_mesh::prev(h));
+    return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
+  }
+
+  // The vector of h in the frame of the combed field, in units of the target edge length.
+  Eigen::Vector2d in_field_frame(int h) const
+  {
+    Eigen::Matrix2d M; // two rows of the gradient are the inverse of the two edge vectors at corner 0
+    M.row(0) = faces.gradient[h / 3].row(1);
+    M.row(1) = faces.gradient[h / 3].row(2);
+    const Eigen::Matrix2d E = M.inverse();
+    Eigen::Matrix<double, 2, 3> p;
+    p << Eigen::Vector2d(0, 0), E.col(0), E.col(1);
+    return p.col((h + 1) % 3) - p.col(h % 3);
+  }
+
+  // Puts the free variables that have no place yet where the sum of the squared edge lengths of the images is least
+  // (Tutte's weights).
+  void make_harmonic(Eigen::VectorXd& x, const std::vector<bool>& is_placed)
+  {
+    for(std::size_t i = 0; i < is_placed.size(); ++i)
+      if(is_placed[i])
+        number[i] = -1;
+    variables.erase(std::remove_if(variables.begin(), variables.end(), [&](int i) { return is_placed[i]; }), variables.end());
+    for(std::size_t i = 0; i < variables.size(); ++i)
+      number[variables[i]] = static_cast<int>(i);
+
+    if(variables.empty())
+      return;
+    std::vector<Eigen::Triplet<double> > triplets;
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(variables.size());
+    std::vector<std::pair<int, double> > row;
+    for(int f : active)
+      for(int k = 0; k < 3; ++k)
+        for(int c = 0; c < 2; ++c)
+        {
+          row.clear();
+          double constant = 0;
+          for(int end = 0; end < 2; ++end)
+            for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + (k + end) % 3]][c])
+            {
+              const double w = end == 0 ? t.second : -t.second;
+              if(number[t.first] == -1)
+                constant += w * x[t.first];
+              else
+                row.emplace_back(number[t.first], w);
+            }
+          for(const auto& a : row)
+          {
+            rhs[a.first] -= a.second * constant;
+            for(const auto& b : row)
+              triplets.emplace_back(a.first, b.first, a.second * b.second);
+          }
+        }
+    Eigen::SparseMatrix<double> A(variables.size(), variables.size());
+    A.setFromTriplets(triplets.begin(), triplets.end());
+    Sparse_cholesky solver;
+    if(!solver.compute(A))
+      return; // a region without a fixed border: leave it where it is
+    const Eigen::VectorXd y = solver.solve(rhs);
+    for(std::size_t i = 0; i < variables.size(); ++i)
+      x[variables[i]] = y[i];
+  }
 
   std::vector<bool> vertices_around(const std::vector<int>& seeds, int rings) const
   {
@@ -195,7 +376,7 @@ private:
     std::vector<Eigen::Triplet<double> > triplets;
     triplets.reserve(36 * active.size());
     std::vector<int> local;
-    Eigen::MatrixXd B; // d (J00, J01, J10, J11) / d local variables
+    Eigen::MatrixXd B, HB, lH; // B: d (J00, J01, J10, J11) / d local variables
     for(int f : active)
     {
       local.clear();
@@ -217,11 +398,11 @@ private:
       Regularized_distortion::Vector_4 g;
       Regularized_distortion::Matrix_4 H;
       distortion.derivatives(faces.jacobian(f, corner_coordinates(coordinates, f, x)), g, H);
-      const Eigen::VectorXd lg = weight[f] * (B.transpose() * g);
-      const Eigen::MatrixXd lH = weight[f] * (B.transpose() * H * B);
+      HB.noalias() = weight[f] * H * B;
+      lH.noalias() = B.transpose() * HB;
       for(std::size_t i = 0; i < local.size(); ++i)
       {
-        gradient[local[i]] += lg[i];
+        gradient[local[i]] += weight[f] * B.col(i).dot(g);
         for(std::size_t j = 0; j < local.size(); ++j)
           triplets.emplace_back(local[i], local[j], lH(i, j));
       }
@@ -248,9 +429,19 @@ private:
     Sparse_cholesky solver;
     bool analyzed = false;
     int steps_since_unfolded = 0;
+    double worst_before = -(std::numeric_limits<double>::max)();
     for(int step = 0; step < steps; ++step)
     {
       const double d = least_determinant(x);
+      // The worst triangle must get better from time to time, or there is no room for it.
+      const int patience = 12;
+      const double least_progress = 0.9;
+      if(regularize && step % patience == 0)
+      {
+        if(step > 0 && d <= 0 && d < least_progress * worst_before)
+          break;
+        worst_before = d;
+      }
       distortion.epsilon = regularize && d <= 0 ? std::sqrt(1e-12 + 0.04 * d * d) : 0.;
       if(regularize && d > 0 && ++steps_since_unfolded > 6)
         break;

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,9 +37,8 @@ namespace internal {
 // keeps the energy finite and pulls the corner open.
 //
 // A vertex takes one Newton step in its tangent plane, or along its curve, against the energy of
-// the corners that it is a part of, is projected back, and stays there if that really helps and no
-// quad around it comes closer to folding than `guarded_jacobian`. So a quad that is not folded
-// stays so, whatever happens around it.
+// the corners that it is a part of, is projected back, and stays there if that really helps and makes
+// the worst quad around it no worse. So a quad that is convex stays so, whatever happens around it.
 class Quad_smoother
 {
 public:
@@ -46,9 +46,9 @@ public:
   typedef Indexed_quad_mesh::Vector_3 Vector_3;
 
   // Weight w of the area part against the shape part.
-  static constexpr double area_weight = 0.25;
-  // A step may not take a scaled Jacobian below this, or make one that is below still smaller.
-  static constexpr double guarded_jacobian = 0.2;
+  static constexpr double area_weight = 0.1;
+  // A step may not make the smallest scaled Jacobian around its vertex smaller, if it is below this then.
+  static constexpr double guarded_jacobian = 0.7;
   // A vertex rests when its last step was shorter than this, relative to the sides around it.
   static constexpr double resting_step = 0.003;
   // Longest step, relative to the sides around the vertex.
@@ -110,29 +110,31 @@ public:
     }
   }
 
-  // Finds the surface normals below the quads, and with them the quads that are folded: those with
-  // a corner that is not convex, or opposed to the surface.
+  // The quads that are folded: those with a corner that is not convex, and those whose normal is
+  // opposed to the normal of the surface below. (At a sharp tip the two may well differ by more than a
+  // right angle.)
   std::vector<int> folded_quads()
   {
     std::vector<int> folded;
     for(int f = 0; f < m.number_of_faces(); ++f)
-      if(m_jacobian[f] <= 0 || reference_normal(f) * m_normal[f] <= 0)
+      if(m_jacobian[f] <= 0 || reference_normal(f) * m_normal[f] < opposed)
         folded.push_back(f);
     return folded;
   }
 
-  // Tries to unfold; gives the number of rounds. The mesh is as before if nothing was gained.
-  int unfold(std::vector<int> folded)
+  // Tries to unfold. The best mesh on the way is kept: with the fewest quads that are not convex,
+  // and then the fewest folded ones.
+  void unfold(std::vector<int> folded)
   {
-    const std::vector<Point_3> saved_points = m.points;
-    const std::vector<int> saved_place = m_place;
-    const std::size_t before = folded.size();
-    std::size_t best = before;
-    std::vector<Point_3> best_points;
-    std::vector<int> best_place;
-
-    int round = 0;
-    for(; round < unfolding_rounds && !folded.empty(); ++round)
+    auto badness = [&]
+    {
+      return std::make_pair(std::count_if(m_jacobian.begin(), m_jacobian.end(), [](double j) { return j <= 0; }),
+                            folded.size());
+    };
+    std::vector<Point_3> best_points = m.points;
+    std::vector<int> best_place = m_place;
+    auto best = badness();
+    for(int round = 0; round < unfolding_rounds && !folded.empty(); ++round)
     {
       std::vector<int> region_faces, region_vertices;
       grow(folded, region_faces, region_vertices);
@@ -143,18 +145,17 @@ public:
       for(int f : region_faces)
         update_face(f);
       folded = folded_quads();
-      if(folded.size() < best)
+      if(badness() < best)
       {
-        best = folded.size();
+        best = badness();
         best_points = m.points;
         best_place = m_place;
       }
     }
-    m.points = best < before ? best_points : saved_points;
-    m_place = best < before ? best_place : saved_place;
+    m.points.swap(best_points);
+    m_place.swap(best_place);
     for(int f = 0; f < m.number_of_faces(); ++f)
       update_face(f);
-    return round;
   }
 
   void start_sweeps() { m_active.assign(m.number_of_vertices(), 1); }
@@ -184,6 +185,8 @@ private:
   // A curve vertex that lies this close to a corner of the reference, relative to the sides around
   // it, is that corner.
   static constexpr double corner_capture = 0.02;
+  // Cosine of the angle between opposed normals.
+  static constexpr double opposed = -0.5;
 
   void collect_incident_corners()
   {
@@ -257,9 +260,13 @@ private:
       update_face(m_corner[i] / 4);
   }
 
-  // Whether no quad around v would come too close to folding if v were at p.
+  // Whether v may move to p: no quad around it that is convex would be so no longer, or be turned
+  // over, and the worst of them would not be worse than now, unless it is good enough.
   bool is_safe(int v, const Point_3& p) const
   {
+    double worst_now = guarded_jacobian;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+      worst_now = (std::min)(worst_now, m_jacobian[m_corner[i] / 4]);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
     {
       const int h = m_corner[i], f = h / 4;
@@ -267,7 +274,7 @@ private:
       Vector_3 normal;
       const double jacobian = minimal_scaled_jacobian(p, m.points[c[(h + 1) & 3]], m.points[c[(h + 2) & 3]],
                                                       m.points[c[(h + 3) & 3]], normal);
-      if(jacobian < (std::min)(m_jacobian[f], guarded_jacobian) || (m_jacobian[f] > 0 && normal * m_normal[f] <= 0))
+      if(jacobian < worst_now || (m_jacobian[f] > 0 && (jacobian <= 0 || normal * m_normal[f] <= 0)))
         return false;
     }
     return true;

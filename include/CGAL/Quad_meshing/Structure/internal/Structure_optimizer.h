@@ -36,6 +36,10 @@ public:
   // Helices with at least this winding number may not get a larger pitch.
   static constexpr double protected_winding_number = 2;
 
+  // The removal of helices does not go below this share of the quads of the input: what is gained
+  // beyond is coarseness, not structure.
+  static constexpr double least_share_of_quads = 0.4;
+
   // The mesh, with what the operators have to respect and to carry along.
   struct State
   {
@@ -71,7 +75,8 @@ public:
   }
 
   Structure_optimizer(Indexed_quad_mesh mesh, std::vector<char> is_fixed, bool merge_singularities)
-    : state(initial_state(std::move(mesh), std::move(is_fixed))), m_merge_singularities(merge_singularities)
+    : state(initial_state(std::move(mesh), std::move(is_fixed))), m_merge_singularities(merge_singularities),
+      m_quads_of_input(state.mesh.number_of_faces())
   {
     analyze(state.mesh);
   }
@@ -106,7 +111,9 @@ public:
           std::size_t steps = 0;
           if(!unwind(result, bases, i * columns / tried, upwards, std::abs(helix.pitch), steps))
             continue;
-          Score score = score_of(result.mesh);
+          if(result.mesh.number_of_faces() < least_share_of_quads * m_quads_of_input)
+            continue;
+          const Score score = score_of(result.mesh);
           if(score < m_score)
           {
             state = std::move(result);
@@ -402,6 +409,7 @@ private:
   }
 
   bool m_merge_singularities;
+  int m_quads_of_input;
   Score m_score;
 };
 

@@ -1,0 +1,334 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Computes the geodesic distance on a triangle mesh from vertices, points, polylines and the border.
+
+#include "command_line.h"
+
+#include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
+#include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <memory>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+typedef CGAL::Quad_meshing::Geodesic_distance_field<Mesh> Field;
+typedef Field::Face_location Location;
+
+namespace QM = CGAL::Quad_meshing;
+namespace params = CGAL::parameters;
+using command_line::Unusable_input;
+
+namespace {
+
+// Points in a file: x y z in each line; an empty line ends a polyline; '#' begins a comment.
+std::vector<std::vector<Point_3> > read_polylines(const std::string& filename)
+{
+  std::ifstream in(filename);
+  if(!in)
+    throw Unusable_input(filename + ": cannot be opened");
+  std::vector<std::vector<Point_3> > polylines(1);
+  std::string line;
+  for(std::size_t n = 1; std::getline(in, line); ++n)
+  {
+    std::istringstream words(line.substr(0, line.find('#')));
+    double x, y, z;
+    std::string more;
+    if(!(words >> x))
+    {
+      words.clear();
+      if(words >> more)
+        throw Unusable_input(filename + ": line " + std::to_string(n) + " is not a point");
+      if(!polylines.back().empty() && line.find('#') == std::string::npos)
+        polylines.emplace_back();
+      continue;
+    }
+    if(!(words >> y >> z) || (words >> more) || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+      throw Unusable_input(filename + ": line " + std::to_string(n) + " is not a point of three numbers");
+    polylines.back().emplace_back(x, y, z);
+  }
+  if(polylines.back().empty())
+    polylines.pop_back();
+  if(polylines.empty())
+    throw Unusable_input(filename + ": there is no point");
+  return polylines;
+}
+
+// Finds the nearest points of the mesh.
+class Locator
+{
+  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+  typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > Tree;
+
+  const Mesh& m_tm;
+  Tree m_tree;
+
+public:
+  explicit Locator(const Mesh& tm) : m_tm(tm), m_tree(faces(tm).begin(), faces(tm).end(), tm) {}
+
+  Location operator()(const Point_3& query)
+  {
+    const auto found = m_tree.closest_point_and_primitive(query);
+    const auto h = m_tm.halfedge(found.second);
+    const std::array<Point_3, 3> t = {{ m_tm.point(m_tm.source(h)), m_tm.point(m_tm.target(h)),
+                                        m_tm.point(m_tm.target(m_tm.next(h))) }};
+    const Kernel::Vector_3 n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+    std::array<double, 3> w = {{ 0, 0, 0 }};
+    double sum = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      w[k] = (std::max)(0., CGAL::cross_product(t[(k + 1) % 3] - found.first, t[(k + 2) % 3] - found.first) * n);
+      sum += w[k];
+    }
+    if(!(sum > 0))
+    {
+      // a triangle without area: the nearest corner
+      const auto nearer = [&](const Point_3& a, const Point_3& b)
+      { return CGAL::squared_distance(a, query) < CGAL::squared_distance(b, query); };
+      w[std::min_element(t.begin(), t.end(), nearer) - t.begin()] = sum = 1;
+    }
+    for(double& x : w)
+      x /= sum;
+    return Location(found.second, w);
+  }
+};
+
+Point_3 point(const Mesh& tm, const Location& l)
+{
+  Kernel::Vector_3 p(0, 0, 0);
+  auto h = tm.halfedge(l.first);
+  for(int k = 0; k < 3; ++k, h = tm.next(h))
+    p = p + l.second[k] * (tm.point(tm.source(h)) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + p;
+}
+
+// Appends the shortest curve on the surface from `from` to `to`.
+void join(const Mesh& tm, Field& field, const Location& from, const Location& to, std::vector<Location>& curve)
+{
+  if(from.first == to.first)
+  {
+    curve.push_back(from);
+    curve.push_back(to);
+    return;
+  }
+  field.clear();
+  field.add_source(to);
+  // first how far it is, then the windows up to there
+  std::vector<Mesh::Vertex_index> corners;
+  for(auto v : tm.vertices_around_face(tm.halfedge(from.first)))
+    corners.push_back(v);
+  field.propagate(params::target_vertices(std::cref(corners)));
+  double limit = 0;
+  for(auto v : corners)
+    limit = (std::max)(limit, field.distance(v) + std::sqrt(CGAL::squared_distance(point(tm, from), tm.point(v))));
+  field.propagate(params::distance_limit(limit));
+  if(field.shortest_path(from, std::back_inserter(curve)) == Field::no_source())
+    throw Unusable_input("two consecutive points of a polyline lie on different parts of the surface");
+}
+
+void add_vertices(const std::string& list, const Mesh& tm, Field& field)
+{
+  std::istringstream words(list);
+  std::string word;
+  while(std::getline(words, word, ','))
+  {
+    std::istringstream number(word);
+    long long v;
+    char rest;
+    if(!(number >> v) || (number >> rest) || v < 0 || v >= static_cast<long long>(tm.number_of_vertices()))
+      throw Unusable_input("--vertices: '" + word + "' is not the number of a vertex (0 to " +
+                           std::to_string(static_cast<long long>(tm.number_of_vertices()) - 1) + ")");
+    field.add_source(Mesh::Vertex_index(static_cast<Mesh::size_type>(v)));
+  }
+}
+
+void add_polylines(const std::string& filename, const Mesh& tm, Locator& locate, Field& field)
+{
+  Field legs(tm);
+  for(const std::vector<Point_3>& polyline : read_polylines(filename))
+  {
+    std::vector<Location> curve;
+    for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+      join(tm, legs, locate(polyline[i]), locate(polyline[i + 1]), curve);
+    if(polyline.size() == 1)
+      curve.push_back(locate(polyline[0]));
+    if(field.add_polyline_source(curve) == Field::no_source())
+      throw Unusable_input(filename + ": a polyline cannot be traced on the surface");
+  }
+}
+
+// Writes a mesh with the vertex property 'distance'.
+void write_distances(const std::string& filename, const Mesh& tm, const std::function<double(Mesh::Vertex_index)>& distance)
+{
+  std::ofstream os = command_line::open_output(filename);
+  os << "ply\nformat ascii 1.0\ncomment geodesic distances\nelement vertex " << tm.number_of_vertices()
+     << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
+     << tm.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(Mesh::Vertex_index v : tm.vertices())
+    os << tm.point(v) << " " << distance(v) << "\n";
+  for(Mesh::Face_index f : tm.faces())
+  {
+    os << 3;
+    for(Mesh::Vertex_index v : tm.vertices_around_face(tm.halfedge(f)))
+      os << " " << static_cast<std::size_t>(v);
+    os << "\n";
+  }
+  os.close();
+  if(!os)
+    throw Unusable_input(filename + ": writing failed");
+}
+
+std::string status_word(QM::Geodesic_distance_status status, std::size_t unreached)
+{
+  return status != QM::Geodesic_distance_status::SUCCESS ? "failed" : unreached > 0 ? "unreached_vertices" : "success";
+}
+
+int distances(int argc, char* argv[])
+{
+  po::options_description options("Options");
+  options.add_options()
+    ("vertices", po::value<std::string>(), "source vertices, as 0,17,4")
+    ("points", po::value<std::string>(), "file with source points, x y z in each line, projected to the surface")
+    ("polyline", po::value<std::string>(), "file with source polylines, a point in each line, consecutive points are joined "
+                                           "by the shortest curve on the surface; an empty line begins a new one")
+    ("boundary", "the boundary is a source")
+    ("epsilon", po::value<double>()->default_value(0), "relative error allowed, 0 for exact distances")
+    ("vertices-only", "keep no windows: less memory, for large meshes")
+    ("refine", po::value<double>(), "refine the mesh until linear interpolation of the distance is good to this length "
+                                    "(OUT must be .ply)")
+    ("paths-from", po::value<std::string>(), "file with points from which shortest paths are traced")
+    ("paths-out", po::value<std::string>(), "file for these paths as polylines; default: OUT.paths.txt")
+    ("json", po::value<std::string>(), "file for the figures");
+  command_line::Arguments args("geodesic_distance", "Computes the geodesic distance from sources on a triangle mesh. OUT is a .txt file with one "
+                               "distance per vertex, or a .ply mesh with the vertex property 'distance'.", { "IN", "OUT" }, options);
+  if(!args.parse(argc, argv))
+    return command_line::done;
+  const double epsilon = args.number("epsilon", 0, 1);
+  const std::string out = args.positional(1);
+  const std::string extension = QM::internal::file_extension(out);
+  if(extension != "txt" && extension != "ply")
+    throw Unusable_input(out + ": the format '" + extension + "' is not one of txt, ply");
+  if(args.has("refine") && (args.positive_number("refine"), extension != "ply"))
+    throw Unusable_input(out + ": a refined mesh needs the format ply");
+  const bool vertices_only = args.has("vertices-only");
+  for(const char* option : { "refine", "paths-from" })
+    if(vertices_only && args.has(option))
+      throw Unusable_input(std::string("--vertices-only excludes --") + option);
+
+  CGAL::Real_timer timer;
+  timer.start();
+  Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
+  const double reading_seconds = timer.time();
+  Field field(tm);
+  std::unique_ptr<Locator> locator;
+  const auto locate = [&]() -> Locator&
+  {
+    if(!locator)
+      locator.reset(new Locator(tm));
+    return *locator;
+  };
+  if(args.has("vertices"))
+    add_vertices(args.value<std::string>("vertices"), tm, field);
+  if(args.has("points"))
+    for(const auto& part : read_polylines(args.value<std::string>("points")))
+      for(const Point_3& p : part)
+        field.add_source(locate()(p));
+  if(args.has("polyline"))
+    add_polylines(args.value<std::string>("polyline"), tm, locate(), field);
+  if(args.has("boundary") && field.add_border_source() == Field::no_source())
+    throw Unusable_input(args.positional(0) + ": the mesh has no boundary");
+  if(field.number_of_sources() == 0)
+    throw Unusable_input("there is no source: give --vertices, --points, --polyline or --boundary");
+  const double setup_seconds = timer.time() - reading_seconds;
+
+  command_line::Progress_bar progress_bar;
+  const QM::Geodesic_distance_result result =
+    field.propagate(params::relative_distance_error(epsilon).keep_windows(!vertices_only).visitor(std::ref(progress_bar)));
+  if(!result)
+    throw Unusable_input(args.positional(0) + ": " + result.message);
+
+  QM::Flat_json json;
+  json.set("status", status_word(result.status, result.number_of_unreached_vertices));
+  json.set("vertices", tm.number_of_vertices());
+  json.set("faces", tm.number_of_faces());
+  json.set("sources", field.number_of_sources());
+  json.set("windows", result.number_of_windows);
+  json.set("windows_per_edge", double(result.number_of_windows) / double(tm.number_of_edges()));
+  json.set("setup_seconds", setup_seconds);
+  json.set("propagation_seconds", result.seconds);
+  json.set("unreached_vertices", result.number_of_unreached_vertices);
+  json.set("maximum_distance", result.maximum_distance);
+  std::cout << tm.number_of_faces() << " faces, " << field.number_of_sources() << " sources, " << result.number_of_windows << " windows, "
+            << "largest distance " << result.maximum_distance << ", " << result.number_of_unreached_vertices
+            << " vertices unreached, " << result.seconds << " s\n";
+
+  bool is_valid = true;
+  if(args.has("paths-from"))
+  {
+    const std::string filename = args.has("paths-out") ? args.value<std::string>("paths-out") : out + ".paths.txt";
+    std::ofstream paths = command_line::open_output(filename);
+    for(const auto& part : read_polylines(args.value<std::string>("paths-from")))
+      for(const Point_3& p : part)
+      {
+        std::vector<Location> path;
+        field.shortest_path(locate()(p), std::back_inserter(path));
+        for(const Location& l : path)
+          paths << point(tm, l) << "\n";
+        paths << "\n";
+      }
+  }
+
+  if(extension == "txt")
+  {
+    std::ofstream os = command_line::open_output(out);
+    for(Mesh::Vertex_index v : tm.vertices())
+      os << field.distance(v) << "\n";
+    os.close();
+    if(!os)
+      throw Unusable_input(out + ": writing failed");
+  }
+  else if(args.has("refine"))
+  {
+    Mesh refined;
+    auto distance = refined.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
+    const QM::Distance_refinement_result r =
+      QM::refine_distance_field(field, refined, distance, args.value<double>("refine"),
+                                params::maximum_number_of_faces(std::size_t(100000000)));
+    std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with " << r.number_of_faces << " faces\n";
+    json.set("interpolation_error", r.error);
+    json.set("refined_faces", r.number_of_faces);
+    is_valid = is_valid && r;
+    write_distances(out, refined, [&](Mesh::Vertex_index v) { return distance[v]; });
+  }
+  else
+    write_distances(out, tm, [&](Mesh::Vertex_index v) { return field.distance(v); });
+
+  json.set("total_seconds", timer.time());
+  if(args.has("json"))
+    command_line::write_json(args.value<std::string>("json"), json);
+  return is_valid ? command_line::done : command_line::not_valid;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  return command_line::run("geodesic_distance", [&] { return distances(argc, argv); });
+}

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Makes the base complex of a quad mesh coarser by removing helices, and smooths the mesh.
+
+#include "command_line.h"
+
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+
+namespace QM = CGAL::Quad_meshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace {
+
+Mesh read_quad_mesh(const std::string& filename)
+{
+  if(!std::ifstream(filename))
+    throw command_line::Unusable_input(filename + ": cannot be opened");
+  std::vector<Point_3> points;
+  std::vector<std::vector<std::size_t> > polygons;
+  if(!CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false)))
+    throw command_line::Unusable_input(filename + ": is not a mesh in one of the formats off, obj, ply, stl");
+  const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
+  if(!defects.is_pure_quad_mesh())
+    throw command_line::Unusable_input(filename + ": is not a pure quad mesh: " + defects.reasons().front());
+  Mesh qm;
+  PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
+  return qm;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  return command_line::run("optimize_quad_structure", [&]
+  {
+    po::options_description options("Options");
+    options.add_options()
+      ("reference", po::value<std::string>(), "triangle mesh that the result is smoothed on (default: the surface of IN)")
+      ("merge-singularities", "allow irregular vertices to be merged with each other and moved onto sharp edges")
+      ("collapse-loops", "collapse all dual curves that can be collapsed, at the end")
+      ("sharp-angle", po::value<double>()->default_value(40), "edges with a larger angle between normals are kept (degrees; 180 = none)")
+      ("target-quads", po::value<std::size_t>()->default_value(0), "stop at this number of quads (0 = no target)")
+      ("target-patches", po::value<std::size_t>()->default_value(0), "stop at this size of the base complex (0 = no target)")
+      ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
+    command_line::Arguments args("optimize_quad_structure",
+                                 "makes the base complex of the quad mesh IN coarser and writes OUT", { "IN", "OUT" }, options);
+    if(!args.parse(argc, argv))
+      return static_cast<int>(command_line::done);
+    const double sharp_angle = args.number("sharp-angle", 0, 180);
+    Mesh qm = read_quad_mesh(args.positional(0));
+    command_line::check_mesh_output(args.positional(1));
+    auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+    if(sharp_angle < 180)
+      PMP::detect_sharp_edges(qm, sharp_angle, is_sharp);
+
+    CGAL::Real_timer timer;
+    timer.start();
+    command_line::Progress_bar progress;
+    const auto np = CGAL::parameters::merge_singularities(args.has("merge-singularities"))
+                      .collapse_dual_curves(args.has("collapse-loops"))
+                      .target_number_of_quads(args.value<std::size_t>("target-quads"))
+                      .target_number_of_patches(args.value<std::size_t>("target-patches"))
+                      .edge_is_constrained_map(is_sharp)
+                      .visitor(std::ref(progress));
+    QM::Quad_structure_optimization_result result;
+    if(args.has("reference"))
+    {
+      Mesh tm = command_line::read_mesh<Mesh>(args.value<std::string>("reference"));
+      auto is_sharp_in_reference = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+      if(sharp_angle < 180)
+        PMP::detect_sharp_edges(tm, sharp_angle, is_sharp_in_reference);
+      result = QM::optimize_quad_structure(qm, tm, np, CGAL::parameters::edge_is_constrained_map(is_sharp_in_reference));
+    }
+    else
+      result = QM::optimize_quad_structure(qm, np);
+
+    command_line::write_mesh(args.positional(1), qm);
+    const bool valid = result.status == QM::Quad_structure_optimization_result::optimized
+                    && result.smoothing.quality_after.number_of_inverted_quads
+                         <= result.smoothing.quality_before.number_of_inverted_quads;
+    std::cout << result.message << std::endl;
+
+    const QM::Quad_mesh_structure &before = result.structure_before, &after = result.structure_after;
+    QM::Flat_json json;
+    json.set("status", valid ? "done" : "not valid");
+    json.set("message", result.message);
+    json.set("quads_before", before.number_of_quads);
+    json.set("quads_after", after.number_of_quads);
+    json.set("base_complex_before", before.number_of_patches);
+    json.set("base_complex_after", after.number_of_patches);
+    json.set("helices_before", before.number_of_helices);
+    json.set("helices_after", after.number_of_helices);
+    json.set("irregular_vertices", after.number_of_irregular_vertices);
+    json.set("operators_applied", result.operators_applied);
+    json.set("minimal_scaled_jacobian", result.smoothing.quality_after.minimal_scaled_jacobian);
+    json.set("seconds", timer.time());
+    if(args.has("json"))
+      command_line::write_json(args.value<std::string>("json"), json);
+    return static_cast<int>(valid ? command_line::done : command_line::not_valid);
+  });
+}

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Makes a quad mesh out of a triangle mesh: the whole line, as a program.
+
+#include "command_line.h"
+
+#include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Quadrangulation.h>
+
+#include <boost/optional.hpp>
+
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+namespace QM = CGAL::Quad_meshing;
+
+typedef QM::Quadrangulation Quadrangulation;
+typedef Quadrangulation::Mesh Mesh;
+typedef Quadrangulation::Kernel::Vector_3 Vector_3;
+
+namespace {
+
+// One line per triangle: its centroid and the first direction of the cross there.
+void write_field(const std::string& filename, const Quadrangulation& q)
+{
+  std::ofstream out = command_line::open_output(filename);
+  for(Mesh::Face_index f : q.mesh.faces())
+  {
+    const Mesh::Halfedge_index h = q.mesh.halfedge(f);
+    out << CGAL::centroid(q.mesh.point(q.mesh.source(h)), q.mesh.point(q.mesh.target(h)),
+                          q.mesh.point(q.mesh.target(q.mesh.next(h))))
+        << " " << QM::cross_field_direction(f, q.mesh, q.angle) << "\n";
+  }
+}
+
+// The triangles with the integer-grid map as texture coordinates, three for each triangle.
+void write_map(const std::string& filename, const Quadrangulation& q)
+{
+  std::ofstream out = command_line::open_output(filename);
+  for(Mesh::Vertex_index v : q.mesh.vertices())
+    out << "v " << q.mesh.point(v) << "\n";
+  std::size_t corners = 0;
+  for(Mesh::Face_index f : q.mesh.faces())
+  {
+    std::string face = "f";
+    for(Mesh::Halfedge_index h : CGAL::halfedges_around_face(q.mesh.halfedge(f), q.mesh))
+    {
+      out << "vt " << q.uv[h] << "\n";
+      face += " " + std::to_string(std::size_t(q.mesh.target(h)) + 1) + "/" + std::to_string(++corners);
+    }
+    out << face << "\n";
+  }
+}
+
+QM::Flat_json figures(const QM::Quadrangulation_result& r)
+{
+  QM::Flat_json json;
+  json.set("status", QM::status_name(r.status));
+  json.set("valid", r.is_valid());
+  json.set("message", r.message);
+  json.set("input_faces", r.input_faces);
+  json.set("components", r.components);
+  json.set("target_edge_length", r.target_edge_length);
+  json.set("feature_edges", r.feature_edges);
+  json.set("dropped_feature_edges", r.dropped_feature_edges);
+  json.set("prepared_faces", r.prepared_faces);
+  json.set("quads", r.quads);
+  json.set("other_faces", r.other_faces);
+  json.set("irregular_vertices", r.irregular_vertices);
+  json.set("singularities", r.singularities);
+  json.set("field_integers", r.field_integers);
+  json.set("field_energy", r.field_energy);
+  json.set("field_seconds", r.field_seconds);
+  json.set("parameterization_integers", r.parameterization_integers);
+  json.set("parameterization_energy", r.parameterization_energy);
+  json.set("parameterization_seconds", r.parameterization_seconds);
+  json.set("parameterization_attempts", r.parameterization_attempts);
+  json.set("flipped_triangles", r.flipped_triangles);
+  json.set("extraction_seconds", r.extraction_seconds);
+  json.set("folded_quads", r.folded_quads);
+  json.set("smoothing_seconds", r.smoothing_seconds);
+  json.set("total_seconds", r.total_seconds);
+  return json;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  return command_line::run("quadrangulate", [&]
+  {
+    po::options_description options("Options");
+    options.add_options()
+      ("target-edge-length", po::value<double>(), "length of the quad edges, in the unit of the input")
+      ("target-quads", po::value<double>()->default_value(4000), "number of quads, where no edge length is given")
+      ("sharp-angle", po::value<double>()->default_value(40),
+       "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")
+      ("align-boundary", po::value<std::string>()->default_value("on"), "on or off: make the boundary a chain of quad edges")
+      ("rounding", po::value<std::string>()->default_value("greedy"), "direct, greedy or lattice: how integers are found")
+      ("save-field", po::value<std::string>(), "file for the cross field: x y z of a centroid and of a direction per line")
+      ("save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")
+      ("json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
+    command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" }, options);
+    if(!args.parse(argc, argv))
+      return command_line::done;
+
+    double edge_length = 0;
+    if(args.has("target-edge-length"))
+      edge_length = args.positive_number("target-edge-length");
+    const double number_of_quads = args.positive_number("target-quads");
+    const double sharp_angle = args.number("sharp-angle", 0, 180);
+    const bool align_boundary = args.is_on("align-boundary");
+    const QM::Rounding_method methods[] = { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING };
+    const QM::Rounding_method rounding = methods[args.choice("rounding", { "direct", "greedy", "lattice" })];
+
+    const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
+    command_line::check_mesh_output(args.positional(1));
+    for(const char* file : { "save-field", "save-uv", "json" })
+      if(args.has(file))
+        command_line::check_output(args.value<std::string>(file));
+
+    Quadrangulation q(tm, tm.points());
+    q.target_edge_length = edge_length;
+    q.target_number_of_quads = number_of_quads;
+    q.sharpness_angle = sharp_angle;
+    q.align_boundary = align_boundary;
+    q.rounding_method = rounding;
+
+    QM::Quadrangulation_result result;
+    {
+      command_line::Progress_bar progress;
+      result = q.run([](std::size_t) { return boost::optional<Vector_3>(); }, progress);
+    }
+
+    if(args.has("json"))
+      command_line::write_json(args.value<std::string>("json"), figures(result));
+    if(result.status == QM::Quadrangulation_result::INVALID_INPUT)
+      throw command_line::Unusable_input(args.positional(0) + ": " + result.message);
+    if(args.has("save-field"))
+      write_field(args.value<std::string>("save-field"), q);
+    if(args.has("save-uv"))
+      write_map(args.value<std::string>("save-uv"), q);
+    if(q.quad_mesh.number_of_faces() > 0)
+      command_line::write_mesh(args.positional(1), q.quad_mesh);
+
+    std::cout << result.message << "\n" << result.quads << " quads, " << result.irregular_vertices
+              << " irregular vertices, " << result.total_seconds << " s" << std::endl;
+    if(!result.is_valid())
+      std::cerr << "quadrangulate: " << args.positional(0) << ": the result is not valid: "
+                << command_line::one_line(result.message) << std::endl;
+    return result.is_valid() ? command_line::done : command_line::not_valid;
+  });
+}

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_H
+#define CGAL_QUAD_MESHING_H
+
+/// \file CGAL/Quad_meshing.h
+/// Convenience header file that includes all public headers of the package.
+
+#include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
+#include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
+#include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
+#include <CGAL/Quad_meshing/Fields/Face_frames.h>
+#include <CGAL/Quad_meshing/Fields/Field_sectors.h>
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Fields/salient_directions.h>
+#include <CGAL/Quad_meshing/Fields/sizing.h>
+#include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
+#include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
+#include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
+#include <CGAL/Quad_meshing/IO/Flat_json.h>
+#include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
+#include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
+#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_deviation.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Quadrangulation_result.h>
+#include <CGAL/Quad_meshing/parameters.h>
+#include <CGAL/Quad_meshing/quadrangulate.h>
+
+#endif // CGAL_QUAD_MESHING_H

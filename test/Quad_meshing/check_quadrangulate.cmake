@@ -1,0 +1,45 @@
+# Runs the program `quadrangulate` on a cube: the result is valid, all faces have four vertices, and the
+# figures are there.
+#
+# cmake -DPROGRAM=<file> -P check_quadrangulate.cmake
+
+file(WRITE cube.off "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+     "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n")
+
+foreach(result cube.obj cube_quads.off cube.ply)
+  execute_process(COMMAND "${PROGRAM}" cube.off ${result} --target-quads 150 --json figures.json
+                  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error TIMEOUT 120)
+  message("${result}: ${code}: ${output}${error}")
+  if(NOT code EQUAL 0 OR NOT error STREQUAL "")
+    message(FATAL_ERROR "exit code ${code}: ${error}")
+  endif()
+endforeach()
+
+file(STRINGS cube.obj faces REGEX "^f ")
+list(LENGTH faces number_of_faces)
+foreach(face ${faces})
+  if(NOT face MATCHES "^f +[0-9/]+ +[0-9/]+ +[0-9/]+ +[0-9/]+ *$")
+    message(SEND_ERROR "not a quad: ${face}")
+  endif()
+endforeach()
+# Six equal squares, and a number of quads near the one asked for.
+math(EXPR rest "${number_of_faces} % 6")
+if(NOT rest EQUAL 0 OR number_of_faces LESS 112 OR number_of_faces GREATER 188)
+  message(SEND_ERROR "${number_of_faces} quads")
+endif()
+
+file(READ figures.json figures)
+foreach(key status valid message input_faces components target_edge_length quads irregular_vertices singularities
+        field_integers field_energy field_seconds parameterization_integers parameterization_energy
+        parameterization_seconds flipped_triangles extraction_seconds total_seconds)
+  string(JSON value ERROR_VARIABLE missing GET "${figures}" ${key})
+  if(missing)
+    message(SEND_ERROR "${missing}")
+  endif()
+endforeach()
+string(JSON valid GET "${figures}" valid)
+string(JSON quads GET "${figures}" quads)
+string(JSON irregular GET "${figures}" irregular_vertices)
+if(NOT valid OR NOT quads EQUAL number_of_faces OR NOT irregular EQUAL 8)
+  message(SEND_ERROR "unexpected figures: ${figures}")
+endif()

@@ -1,0 +1,634 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Cross fields: identities, known fields, brute force on small meshes, invariances.
+
+#include "fields_checks.h"
+
+#include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <Eigen/Dense>
+
+#include <boost/optional.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <limits>
+
+using namespace test_meshes;
+using namespace fields_checks;
+namespace params = CGAL::parameters;
+typedef CGAL::Quad_meshing::Cross_field_method Method;
+typedef CGAL::Quad_meshing::Cross_field_status Status;
+typedef CGAL::Quad_meshing::Cross_field_result Result;
+
+Result compute(Field& f, Method method = Method::POLISHED)
+{
+  return CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
+                                                params::cross_field_method(method).edge_is_constrained_map(f.feature));
+}
+
+void mark_sharp_edges(Field& f, double degrees)
+{
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(f.tm, degrees, f.feature);
+  for(Edge e : f.tm.edges())
+    if(f.tm.is_border(e))
+      f.feature[e] = false;
+}
+
+// The shape with its vertices moved, but for those on the border or on sharp edges: straight lines
+// stay straight, so faces in their corners see right angles.
+Soup shaken(const Soup& soup, double amplitude, unsigned int seed = 0)
+{
+  Field f(soup);
+  mark_sharp_edges(f, 60);
+  Soup result = perturbed(soup, amplitude, seed);
+  for(Edge e : f.tm.edges())
+    if(f.feature[e] || f.tm.is_border(e))
+      for(Vertex v : { f.tm.vertex(e, 0), f.tm.vertex(e, 1) })
+        result.points[v] = soup.points[v];
+  return result;
+}
+
+// A disk in n x m cells about vertex 0 with constrained rays at some of its n steps,
+// which end one ring before the border.
+Field wedge(int n, int m, const std::vector<double>& degrees, const std::vector<int>& rays)
+{
+  Soup soup;
+  soup.points.emplace_back(0, 0, 0);
+  for(int j = 1; j <= m; ++j)
+    for(int i = 0; i < n; ++i)
+      soup.points.emplace_back(j * std::cos(degrees[i] * pi / 180), j * std::sin(degrees[i] * pi / 180), 0);
+  auto v = [&](int i, int j) { return 1 + static_cast<std::size_t>(j - 1) * n + i % n; };
+  for(int i = 0; i < n; ++i)
+    soup.triangles.push_back({{ 0, v(i, 1), v(i + 1, 1) }});
+  for(int j = 1; j < m; ++j)
+    for(int i = 0; i < n; ++i)
+      soup.add_quad(v(i, j), v(i, j + 1), v(i + 1, j + 1), v(i + 1, j));
+  Field f(soup);
+  for(int i : rays)
+    for(int j = 0; j < m - 1; ++j)
+    {
+      const Vertex a(j == 0 ? 0 : static_cast<int>(v(i, j))), b(static_cast<int>(v(i, j + 1)));
+      const Halfedge h = f.tm.halfedge(a, b);
+      assert(h != Mesh::null_halfedge());
+      f.feature[f.tm.edge(h)] = true;
+    }
+  return f;
+}
+
+std::vector<double> steps(int n)
+{
+  std::vector<double> degrees;
+  for(int i = 0; i < n; ++i)
+    degrees.push_back(360. * i / n);
+  return degrees;
+}
+
+void test_known_fields()
+{
+  std::cout << "known fields" << std::endl;
+  {
+    // All sides of a cube are flat and their grids fit together: no turning at all but in the corners.
+    Field f(cube(6));
+    mark_sharp_edges(f, 60);
+    const Result r = compute(f);
+    check(f, r);
+    assert(r.energy < 1e-12 && r.singularities == 8 && count(f, 1) == 8);
+    for(int v = 0; v < static_cast<int>(f.tm.number_of_vertices()); ++v)
+    {
+      const Point_3& p = f.tm.point(Vertex(v));
+      const bool is_corner = (p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1) && (p.z() == 0 || p.z() == 1);
+      assert((f.index[Vertex(v)] == 1) == is_corner);
+    }
+  }
+  {
+    Field f(cube(6)); // nothing is given, the same field is the smoothest
+    const Result r = compute(f);
+    check(f, r);
+    assert(r.energy < 1e-9 && count(f, 1) == 8 && r.constrained_faces == 0);
+  }
+  {
+    Field f(icosphere(3));
+    const Result r = compute(f);
+    check(f, r);
+    assert(count(f, 1) == 8 && r.singularities == 8);
+  }
+  {
+    Field f(torus(40, 20));
+    const Result r = compute(f);
+    check(f, r);
+    assert(r.singularities == 0);
+  }
+  {
+    Field f(grid(9, 7));
+    const Result r = compute(f);
+    check(f, r);
+    assert(r.energy < 1e-12 && r.singularities == 4 && count(f, 1) == 4);
+  }
+  {
+    Field f(cylinder(24, 10, false));
+    const Result r = compute(f);
+    check(f, r);
+    assert(r.energy < 1e-12 && r.singularities == 0);
+  }
+  {
+    Field f = wedge(24, 8, steps(24), {});
+    const Result r = compute(f);
+    check(f, r);
+    assert(count(f, 1) == 4 && r.singularities == 4);
+  }
+}
+
+void test_methods()
+{
+  std::cout << "methods" << std::endl;
+  const Soup shapes[] = { perturbed(torus(16, 8), 0.03), perturbed(l_prism(3), 0.02), perturbed(square_ring(2), 0.03),
+                          shaken(grid_with_hole(12, 10, 4, 8, 3, 6), 0.01), perturbed(double_ring(2), 0.02) };
+  for(const Soup& shape : shapes)
+  {
+    Field f(shape);
+    const Result polished = compute(f, Method::POLISHED);
+    check(f, polished);
+    assert(polished.energy <= polished.initial_energy + 1e-9);
+    const Result greedy = compute(f, Method::GREEDY);
+    check(f, greedy);
+    const Result naive = compute(f, Method::NAIVE);
+    check(f, naive);
+    const Result direct = compute(f, Method::DIRECT);
+    check(f, direct);
+    std::cout << "  " << polished.energy << " " << greedy.energy << " " << naive.energy << " " << direct.energy << std::endl;
+    assert(polished.energy <= 1.02 * greedy.energy && polished.energy <= 1.02 * naive.energy && polished.energy < direct.energy + 1e-9);
+    assert(polished.integers == greedy.integers);
+    // Edges minus the edges of the forest; every component is free or given as a whole here.
+    int inner = 0, between_given = 0, free_faces = 0;
+    std::vector<char> given(f.tm.number_of_faces(), 0);
+    for(Halfedge h : f.tm.halfedges())
+      if(!f.tm.is_border(h) && f.tm.is_border(f.tm.opposite(h)))
+        given[f.tm.face(h)] = 1;
+    for(char g : given)
+      free_faces += !g;
+    for(Edge e : f.tm.edges())
+      if(!f.tm.is_border(e))
+      {
+        ++inner;
+        between_given += given[f.tm.face(f.tm.halfedge(e))] && given[f.tm.face(f.tm.opposite(f.tm.halfedge(e)))];
+      }
+    assert(polished.integers == inner - between_given - free_faces + (polished.constrained_faces == 0));
+  }
+}
+
+// No period jumps in a box around the result are better. A factorization-free evaluation: the energy as a
+// function of the jumps alone, from a dense projector.
+void brute_force(const Soup& shape, int box)
+{
+  Field f(shape);
+  const Result r = compute(f);
+  check(f, r);
+
+  std::vector<char> given(f.tm.number_of_faces(), 0);
+  for(Edge e : f.tm.edges())
+    for(Halfedge h : { f.tm.halfedge(e), f.tm.opposite(f.tm.halfedge(e)) })
+      if(!f.tm.is_border(h) && f.tm.is_border(e))
+        given[f.tm.face(h)] = 1;
+
+  std::vector<Edge> inner;
+  for(Edge e : f.tm.edges())
+    if(!f.tm.is_border(e))
+      inner.push_back(e);
+  const int m = static_cast<int>(inner.size()), n = static_cast<int>(f.tm.number_of_faces());
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(m, n);
+  Eigen::VectorXd c(m);
+  for(int i = 0; i < m; ++i)
+  {
+    const Halfedge h = f.tm.halfedge(inner[i]);
+    const int p = f.tm.face(h), q = f.tm.face(f.tm.opposite(h));
+    if(!given[p]) b(i, p) = 1;
+    if(!given[q]) b(i, q) = -1;
+    c[i] = difference(f, h);
+  }
+  const Eigen::MatrixXd projector =
+    Eigen::MatrixXd::Identity(m, m) - b * b.completeOrthogonalDecomposition().pseudoInverse();
+  assert((projector * c - c).norm() < 1e-6 * (1 + c.norm())); // the angles are the best ones for the jumps
+
+  // One jump per edge outside of a spanning forest of free faces.
+  std::vector<int> tree(n), free_edges;
+  for(int i = 0; i < n; ++i)
+    tree[i] = given[i] ? n : i;
+  tree.push_back(n);
+  std::function<int(int)> root = [&](int i) { return tree[i] == i ? i : tree[i] = root(tree[i]); };
+  for(int i = 0; i < m; ++i)
+  {
+    const Halfedge h = f.tm.halfedge(inner[i]);
+    const int p = root(f.tm.face(h)), q = root(f.tm.face(f.tm.opposite(h)));
+    if(p != q)
+      tree[(std::min)(p, q)] = (std::max)(p, q);
+    else
+      free_edges.push_back(i);
+  }
+  const int k = static_cast<int>(free_edges.size());
+  std::cout << "  " << k << " integers" << std::endl;
+  assert(k <= 11);
+
+  const double quarter = pi / 2;
+  std::vector<int> y(k, -box);
+  double best = std::numeric_limits<double>::infinity();
+  Eigen::MatrixXd q(k, k);
+  Eigen::VectorXd g(k);
+  for(int i = 0; i < k; ++i)
+  {
+    g[i] = 2 * quarter * (projector * c)[free_edges[i]];
+    for(int j = 0; j < k; ++j)
+      q(i, j) = quarter * quarter * projector(free_edges[i], free_edges[j]);
+  }
+  for(;;)
+  {
+    double e = 0;
+    for(int i = 0; i < k; ++i)
+    {
+      double row = g[i];
+      for(int j = 0; j < k; ++j)
+        row += q(i, j) * y[j];
+      e += row * y[i];
+    }
+    best = (std::min)(best, e);
+    int i = 0;
+    while(i < k && y[i] == box)
+      y[i++] = -box;
+    if(i == k)
+      break;
+    ++y[i];
+  }
+  std::cout << "  energy " << r.energy << ", best " << r.energy + best << std::endl;
+  assert(best > -1e-9);
+}
+
+void test_brute_force()
+{
+  std::cout << "brute force" << std::endl;
+  brute_force(perturbed(icosphere(0), 0.05), 1);
+  brute_force(perturbed(icosphere(0), 0.15, 1), 1);
+  brute_force(perturbed(cube(1), 0.05), 2);
+  brute_force(shaken(grid(3, 2), 0.05), 1);
+  brute_force(shaken(grid(2, 3), 0.08, 1), 1);
+}
+
+void test_invariances()
+{
+  std::cout << "invariances" << std::endl;
+  const Soup shape = shaken(l_prism(4), 0.03);
+  Field f(shape);
+  mark_sharp_edges(f, 60);
+  const Result r = compute(f);
+  check(f, r);
+
+  // The same again, bit for bit.
+  {
+    Field g(shape);
+    mark_sharp_edges(g, 60);
+    compute(g);
+    for(Face face : f.tm.faces())
+      assert(f.angle[face] == g.angle[face]);
+    for(Edge e : f.tm.edges())
+      assert(f.jump[e] == g.jump[e]);
+  }
+
+  // A turn of single crosses by right angles is no change.
+  CGAL::Random random(7);
+  Field turned(shape);
+  std::vector<int> turns;
+  for(Face face : f.tm.faces())
+  {
+    turns.push_back(random.get_int(-3, 4));
+    turned.angle[face] = f.angle[face] + turns.back() * pi / 2;
+  }
+  for(Edge e : f.tm.edges())
+    turned.jump[e] = f.jump[e] - turns[f.tm.face(f.tm.halfedge(e))] + turns[f.tm.face(f.tm.opposite(f.tm.halfedge(e)))];
+  for(Vertex v : f.tm.vertices())
+    turned.index[v] = f.index[v];
+  for(Edge e : f.tm.edges())
+    turned.feature[e] = f.feature[e];
+  check(turned, r);
+  const CGAL::Quad_meshing::Cross_field_sectors<Mesh> sectors(turned.tm, turned.angle, turned.jump);
+  for(Vertex v : f.tm.vertices())
+  {
+    const Halfedge h = f.tm.opposite(f.tm.halfedge(v));
+    assert(sectors.number_of_quads(h, h) == 4 - f.index[v]);
+  }
+
+  // Another order of vertices and faces, and other reference halfedges: the same energy and indices.
+  Soup shuffled = shape;
+  const std::size_t nv = shape.points.size(), nf = shape.triangles.size();
+  std::vector<std::size_t> name(nv);
+  for(std::size_t i = 0; i < nv; ++i)
+    name[i] = (i * 7919 + 13) % nv;
+  assert(nv % 7919 != 0);
+  for(std::size_t i = 0; i < nv; ++i)
+    shuffled.points[name[i]] = shape.points[i];
+  for(std::size_t i = 0; i < nf; ++i)
+  {
+    const Triangle& t = shape.triangles[nf - 1 - i];
+    shuffled.triangles[i] = {{ name[t[(i + 0) % 3]], name[t[(i + 1) % 3]], name[t[(i + 2) % 3]] }};
+  }
+  Field g(shuffled);
+  mark_sharp_edges(g, 60);
+  const Result s = compute(g);
+  check(g, s);
+  assert(std::abs(s.energy - r.energy) < 1e-8);
+  for(std::size_t i = 0; i < nv; ++i)
+    assert(f.index[Vertex(static_cast<int>(i))] == g.index[Vertex(static_cast<int>(name[i]))]);
+
+  // Neither do size and place matter.
+  Field moved(mapped(shape, [](const Point_3& p) { return Point_3(300 - 1000 * p.y(), 1000 * p.x(), 1000 * p.z() - 70); }));
+  mark_sharp_edges(moved, 60);
+  assert(std::abs(compute(moved).energy - r.energy) < 1e-8);
+}
+
+void test_given_directions()
+{
+  std::cout << "given directions" << std::endl;
+  typedef boost::optional<Vector_3> Direction;
+
+  // Meridians on the belt of a sphere: no singularity in the belt, a whole turn in each cap.
+  Field f(icosphere(4));
+  auto given = f.tm.add_property_map<Face, Direction>("f:given", Direction()).first;
+  for(Face face : f.tm.faces())
+  {
+    Vector_3 center(0, 0, 0);
+    for(Vertex v : f.tm.vertices_around_face(f.tm.halfedge(face)))
+      center = center + (f.tm.point(v) - CGAL::ORIGIN) / 3;
+    if(std::abs(center.z()) < 0.7)
+      given[face] = CGAL::cross_product(CGAL::cross_product(center, Vector_3(0, 0, 1)), center);
+  }
+  const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::face_direction_map(given));
+  check(f, r);
+  int north = 0, south = 0;
+  for(Vertex v : f.tm.vertices())
+  {
+    if(std::abs(f.tm.point(v).z()) < 0.65)
+      assert(f.index[v] == 0);
+    else
+      (f.tm.point(v).z() > 0 ? north : south) += f.index[v];
+  }
+  assert(north == 4 && south == 4);
+
+  int number = 0;
+  for(Face face : f.tm.faces())
+  {
+    const Vector_3 d = CGAL::Quad_meshing::cross_field_direction(face, f.tm, f.angle);
+    const Vector_3 e = CGAL::Quad_meshing::cross_field_direction(face, f.tm, f.angle, 1);
+    assert(std::abs(d.squared_length() - 1) < 1e-9 && std::abs(d * e) < 1e-9);
+    const Halfedge h = f.tm.halfedge(face);
+    const Vector_3 a = f.tm.point(f.tm.target(h)) - f.tm.point(f.tm.source(h));
+    const Vector_3 n = CGAL::cross_product(a, f.tm.point(f.tm.target(f.tm.next(h))) - f.tm.point(f.tm.source(h)));
+    assert(CGAL::cross_product(d, e) * n > 0 && std::abs(d * n) < 1e-9);
+    assert(std::abs(d * a / std::sqrt(a.squared_length()) - std::cos(f.angle[face])) < 1e-9);
+    if(given[face])
+    {
+      ++number;
+      // In the plane of the face it is the projection, up to right angles.
+      const Vector_3 m = n / std::sqrt(n.squared_length());
+      Vector_3 g = *given[face] - (*given[face] * m) * m;
+      g = g / std::sqrt(g.squared_length());
+      const double c = std::abs(g * d), s = std::abs(g * e);
+      assert((std::min)(c, s) < 1e-9);
+    }
+  }
+  assert(number == r.constrained_faces && number > 0);
+
+  // A constrained edge is stronger than a direction.
+  Field box(cube(4));
+  mark_sharp_edges(box, 60);
+  auto oblique = box.tm.add_property_map<Face, Direction>("f:oblique", Direction(Vector_3(1, 2, 4))).first;
+  const Result b = CGAL::Quad_meshing::smooth_cross_field(
+    box.tm, box.angle, box.jump, box.index, params::face_direction_map(oblique).edge_is_constrained_map(box.feature));
+  check(box, b);
+  assert(b.constrained_faces == static_cast<int>(box.tm.number_of_faces()) && b.energy > 1);
+}
+
+void test_sectors()
+{
+  std::cout << "sectors" << std::endl;
+  // Sectors of 20, 25, 140 and 175 degrees; the two narrow ones would get no quad by rounding.
+  const std::vector<double> degrees = { 0, 7, 13, 20, 28, 37, 45, 70, 95, 120, 145, 170, 185, 215, 245, 275, 305, 335 };
+  for(Method method : { Method::POLISHED, Method::GREEDY, Method::DIRECT, Method::NAIVE })
+  {
+    Field f = wedge(18, 6, degrees, { 0, 3, 6, 12 });
+    const Result r = compute(f, method);
+    check(f, r);
+    assert(r.empty_sectors == 0);
+    const CGAL::Quad_meshing::Cross_field_sectors<Mesh> sectors(f.tm, f.angle, f.jump);
+    int sum = 0;
+    const int rays[] = { 0, 3, 6, 12, 0 };
+    for(int i = 0; i < 4; ++i)
+    {
+      const int k = sectors.number_of_quads(f.tm.halfedge(Vertex(0), Vertex(1 + rays[i])),
+                                            f.tm.halfedge(Vertex(0), Vertex(1 + rays[i + 1])));
+      assert(k >= 1);
+      sum += k;
+    }
+    assert(sum == 4 - f.index[Vertex(0)]);
+  }
+
+  // A constrained line that ends in the middle of the disk has one sector all around its end.
+  Field f = wedge(18, 6, degrees, { 4 });
+  check(f, compute(f));
+
+  // One face between two constrained edges 20 degrees apart cannot be helped, but is reported.
+  std::vector<double> coarse = { 0, 20, 60, 120, 180, 240, 300 };
+  Field g = wedge(7, 3, coarse, { 0, 1 });
+  const Result r = compute(g);
+  assert(r.status == Status::EMPTY_SECTORS && r.empty_sectors == 1 && r.conflicting_faces == 1);
+  assert(!r.message.empty() && std::isfinite(r.energy));
+}
+
+// The number of singularities inside that are nearer to the border of the disk of radius m than d.
+int count_near_border(const Field& f, double m, double d)
+{
+  int n = 0;
+  for(Vertex v : f.tm.vertices())
+    n += f.index[v] != 0 && !f.tm.is_border(v) && std::sqrt((f.tm.point(v) - CGAL::ORIGIN).squared_length()) > m - d;
+  return n;
+}
+
+void test_singularities_near_features()
+{
+  std::cout << "singularities near features" << std::endl;
+  // A wavy border draws singularities near; half a target edge length from it there is none if that
+  // can be had for little energy.
+  const int n = 48, m = 12;
+  Field f = wedge(n, m, steps(n), {});
+  for(Vertex v : f.tm.vertices())
+  {
+    const Point_3& p = f.tm.point(v);
+    const double t = std::atan2(p.y(), p.x()), s = 1 + 0.25 * std::cos(4 * t);
+    f.tm.point(v) = Point_3(s * p.x(), s * p.y(), 0);
+  }
+  const Result without = compute(f);
+  check(f, without);
+  const int near_without = count_near_border(f, m, 4);
+  const Result with = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
+                                                             params::target_edge_length(4.).edge_is_constrained_map(f.feature));
+  check(f, with);
+  assert(count_near_border(f, m, 4) <= near_without);
+  assert(with.energy < without.energy + 0.3 * without.singularities);
+
+  // On a rough sphere opposite singularities lie close together; for large quads some of them merge.
+  Field g(perturbed(icosphere(3), 0.04));
+  const Result many = compute(g);
+  check(g, many);
+  const Result few = CGAL::Quad_meshing::smooth_cross_field(g.tm, g.angle, g.jump, g.index, params::target_edge_length(1.));
+  check(g, few);
+  std::cout << "  " << many.singularities << " singularities, for large quads " << few.singularities << std::endl;
+  assert(few.singularities <= many.singularities);
+  assert(few.energy < many.energy + 0.3 * (many.singularities - few.singularities) / 2 + 1e-9);
+}
+
+struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
+{
+  int begun = 0, ended = 0, asked = 0;
+  double last = 0;
+  void on_stage_begin(const std::string&) { ++begun; }
+  void on_stage_end(const std::string&) { ++ended; }
+  void progress(double p) { assert(p >= last && p <= 1); last = p; }
+  bool go_further() { return ++asked < 3; }
+};
+
+void test_input()
+{
+  std::cout << "input" << std::endl;
+  {
+    Field f((Soup()));
+    const Result r = compute(f);
+    assert(r.is_valid() && r.energy == 0 && r.singularities == 0);
+  }
+  {
+    Field f(joined(grid(1, 1), translated(icosphere(1), Vector_3(3, 0, 0))));
+    f.tm.add_vertex(Point_3(9, 9, 9)); // an isolated vertex
+    const Result r = compute(f);
+    assert(r.is_valid() && r.index_sum == 12 && r.constrained_faces == 2);
+  }
+  {
+    Field f(two_components(3, 2));
+    mark_sharp_edges(f, 60);
+    check(f, compute(f));
+  }
+  {
+    Field f(grid(2, 2));
+    f.tm.point(Vertex(4)) = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+    f.angle[Face(0)] = 17;
+    assert(compute(f).status == Status::POINT_NOT_FINITE && f.angle[Face(0)] == 17);
+  }
+  {
+    Mesh quads;
+    CGAL::make_grid(2, 2, quads);
+    Field f((Soup()));
+    f.tm = quads;
+    auto angle = f.tm.add_property_map<Face, double>("a").first;
+    auto jump = f.tm.add_property_map<Edge, int>("j").first;
+    auto index = f.tm.add_property_map<Vertex, int>("i").first;
+    assert(CGAL::Quad_meshing::smooth_cross_field(f.tm, angle, jump, index).status == Status::NOT_A_TRIANGLE_MESH);
+  }
+  {
+    // Vertices drawn together: faces of zero area, edges of zero length, needles. The angles of such
+    // faces still sum up, so the indices do.
+    for(int kind = 0; kind < 3; ++kind)
+    {
+      Field f(mapped(kind == 2 ? icosphere(3) : torus(20, 12), [&](const Point_3& p)
+      {
+        if(kind == 0) return Point_3(p.x() > 0.9 ? 0.9 : p.x(), p.y(), p.x() > 0.9 ? 0. : p.z());
+        if(kind == 1) return Point_3(p.x(), p.y() > 0.8 ? 0.8 + 1e-13 * p.y() : p.y(), p.z());
+        return p.z() > 0.5 ? Point_3(0, 0, 0.9) : p;
+      }));
+      const Result r = compute(f);
+      assert(std::isfinite(r.energy) && r.index_sum == 4 * euler_number(f.tm));
+    }
+  }
+  {
+    // Without alignment the border is free.
+    Field f(shaken(grid(6, 6), 0.01));
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::align_boundary(false));
+    assert(r.is_valid() && r.constrained_faces == 0 && std::abs(energy(f) - r.energy) < 1e-9);
+    Field g(shaken(grid(6, 6), 0.01));
+    assert(compute(g).energy > r.energy);
+  }
+  {
+    Field f(icosphere(2));
+    Stopping_visitor visitor;
+    f.angle[Face(0)] = 17;
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::align_boundary(true).visitor(std::ref(visitor)));
+    assert(r.status == Status::STOPPED && f.angle[Face(0)] == 17 && visitor.begun == visitor.ended && visitor.begun > 0);
+  }
+  {
+    typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+    Polyhedron p = make_mesh<Polyhedron>(cube(3));
+    auto angle = get(CGAL::dynamic_face_property_t<double>(), p);
+    auto jump = get(CGAL::dynamic_edge_property_t<int>(), p);
+    auto index = get(CGAL::dynamic_vertex_property_t<int>(), p);
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(p, angle, jump, index);
+    assert(r.is_valid() && r.index_sum == 8 && r.energy < 1e-9);
+    const CGAL::Quad_meshing::Cross_field_sectors<Polyhedron> sectors(p, angle, jump);
+    for(auto v : vertices(p))
+    {
+      const auto h = opposite(halfedge(v, p), p);
+      assert(sectors.number_of_quads(h, h) == 4 - get(index, v));
+    }
+  }
+  for(int s = 0; s <= static_cast<int>(Status::NUMERICAL_FAILURE); ++s)
+    assert(!get_message(static_cast<Status>(s)).empty());
+}
+
+void test_real_meshes()
+{
+  for(const char* name : { "meshes/fandisk.off", "meshes/elephant.off" })
+  {
+    const std::string filename = CGAL::data_file_path(name);
+    if(!std::ifstream(filename))
+    {
+      std::cout << "skipped: " << filename << " is not there" << std::endl;
+      continue;
+    }
+    Field f((Soup()));
+    Mesh tm;
+    assert(CGAL::IO::read_polygon_mesh(filename, tm));
+    f.tm = tm;
+    f.angle = f.tm.add_property_map<Face, double>("f:angle", 0.).first;
+    f.jump = f.tm.add_property_map<Edge, int>("e:jump", 0).first;
+    f.index = f.tm.add_property_map<Vertex, int>("v:index", 0).first;
+    f.feature = f.tm.add_property_map<Edge, bool>("e:feature", false).first;
+    const Result r = compute(f);
+    check(f, r);
+    const Result greedy = compute(f, Method::GREEDY);
+    std::cout << name << ": energy " << r.energy << " with " << r.singularities << " singularities, greedy "
+              << greedy.energy << " with " << greedy.singularities << std::endl;
+    assert(r.energy < greedy.energy);
+  }
+}
+
+int main()
+{
+  test_known_fields();
+  test_methods();
+  test_brute_force();
+  test_invariances();
+  test_given_directions();
+  test_sectors();
+  test_singularities_near_features();
+  test_input();
+  test_real_meshes();
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,736 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Mixed-integer problems against brute force, and methods against each other.
+
+#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Random.h>
+
+#include <Eigen/Dense>
+
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace QM = CGAL::Quad_meshing;
+namespace params = CGAL::parameters;
+
+typedef QM::Mixed_integer_problem Problem;
+typedef QM::Mixed_integer_solution Solution;
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+bool is_close(double a, double b) { return std::fabs(a - b) <= 1e-6 * (1. + std::fabs(a) + std::fabs(b)); }
+
+double uniform(CGAL::Random& random, double low, double high) { return random.get_double(low, high); }
+
+// A well-conditioned convex energy of dense squared residuals.
+Problem random_problem(CGAL::Random& random, int integers, int reals)
+{
+  Problem problem;
+  const int n = integers + reals;
+  for(int i = 0; i < n; ++i)
+    problem.add_variable(i < integers);
+  for(int i = 0; i < n; ++i)
+  {
+    Problem::Linear_form form;
+    for(int j = 0; j < n; ++j)
+      form.emplace_back(j, (i == j ? 1. : 0.) + uniform(random, -0.25, 0.25));
+    problem.add_squared_residual(form, uniform(random, -3., 3.), uniform(random, 0.5, 2.));
+  }
+  return problem;
+}
+
+// All integers in a box, in lexicographic order.
+void for_each_integer_point(const std::vector<int>& low, const std::vector<int>& high,
+                            const std::function<void(const std::vector<int>&)>& visit)
+{
+  std::vector<int> point = low;
+  for(std::size_t i = 0; i < low.size(); ++i)
+    if(low[i] > high[i])
+      return;
+  for(;;)
+  {
+    visit(point);
+    std::size_t i = 0;
+    while(i < point.size() && point[i] == high[i])
+    {
+      point[i] = low[i];
+      ++i;
+    }
+    if(i == point.size())
+      return;
+    ++point[i];
+  }
+}
+
+// The least energy over all integer points, infinite if none is feasible. The first variables must be the integers.
+// Constraints listed as ignored do not count. `upper` is a known upper bound: only the points that can be better are
+// tried, which are |x_i - x*_i| <= sqrt(2 (upper - E*) (A^-1)_ii) around the unconstrained minimum x*.
+double brute_force(const Problem& problem, double upper, const std::vector<int>& ignored)
+{
+  const int n = problem.number_of_variables(), m = problem.number_of_integers(), r = n - m;
+  const Eigen::MatrixXd A = problem.matrix();
+  const Eigen::VectorXd b = problem.linear_term();
+  const Eigen::MatrixXd inverse = A.inverse();
+  const Eigen::VectorXd minimum = inverse * b;
+  const double least = problem.energy(minimum);
+  std::vector<int> low(m), high(m);
+  for(int i = 0; i < m; ++i)
+  {
+    const double reach = std::sqrt(2. * (upper - least + 1e-6) * inverse(i, i));
+    low[i] = static_cast<int>(std::ceil((std::max)(minimum[i] - reach, problem.lower_bound(i))));
+    high[i] = static_cast<int>(std::floor((std::min)(minimum[i] + reach, problem.upper_bound(i))));
+  }
+
+  std::vector<Problem::Linear_constraint> equalities;
+  for(std::size_t c = 0; c < problem.equality_constraints().size(); ++c)
+    if(std::find(ignored.begin(), ignored.end(), static_cast<int>(c)) == ignored.end())
+      equalities.push_back(problem.equality_constraints()[c]);
+  const int e = static_cast<int>(equalities.size());
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(e, n);
+  Eigen::VectorXd d(e);
+  for(int c = 0; c < e; ++c)
+  {
+    for(const std::pair<int, double>& a : equalities[c].form)
+      C(c, a.first) += a.second;
+    d[c] = equalities[c].rhs;
+  }
+  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(r + e, r + e);
+  kkt.topLeftCorner(r, r) = A.bottomRightCorner(r, r);
+  kkt.bottomLeftCorner(e, r) = C.rightCols(r);
+  kkt.topRightCorner(r, e) = C.rightCols(r).transpose();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  if(r + e > 0)
+    solver.compute(kkt);
+
+  double best = infinity;
+  Eigen::VectorXd x(n), rhs(r + e);
+  for_each_integer_point(low, high, [&](const std::vector<int>& y)
+  {
+    for(int i = 0; i < m; ++i)
+      x[i] = y[i];
+    if(r + e > 0)
+    {
+      rhs.head(r) = b.tail(r) - A.bottomLeftCorner(r, m) * x.head(m);
+      rhs.tail(e) = d - C.leftCols(m) * x.head(m);
+      if(r > 0)
+        x.tail(r) = solver.solve(rhs).head(r);
+      if(e > 0 && (C * x - d).cwiseAbs().maxCoeff() > 1e-7)
+        return;
+    }
+    for(const Problem::Linear_constraint& c : problem.inequality_constraints())
+    {
+      double value = -c.rhs;
+      for(const std::pair<int, double>& a : c.form)
+        value += a.second * x[a.first];
+      if(value > 1e-7)
+        return;
+    }
+    best = (std::min)(best, 0.5 * x.dot(A * x) - x.dot(b) + problem.constant());
+  });
+  return best;
+}
+
+// Every condition that the solution claims to meet holds, and its energy is told truthfully.
+void check_solution(const Problem& problem, const Solution& s)
+{
+  assert(s.x.size() == problem.number_of_variables());
+  assert(s.all_integers_satisfied);
+  for(int i = 0; i < problem.number_of_variables(); ++i)
+  {
+    if(problem.is_integer(i))
+      assert(s.x[i] == std::floor(s.x[i]));
+    assert(s.x[i] >= problem.lower_bound(i) - 1e-7 && s.x[i] <= problem.upper_bound(i) + 1e-7);
+  }
+  for(std::size_t c = 0; c < problem.equality_constraints().size(); ++c)
+  {
+    const Problem::Linear_constraint& constraint = problem.equality_constraints()[c];
+    if(std::find(s.conflicting_constraints.begin(), s.conflicting_constraints.end(), static_cast<int>(c))
+       != s.conflicting_constraints.end())
+      continue;
+    double value = 0.;
+    bool has_integers_only = true;
+    for(const std::pair<int, double>& a : constraint.form)
+    {
+      value += a.second * s.x[a.first];
+      has_integers_only = has_integers_only && problem.is_integer(a.first) && a.second == std::floor(a.second);
+    }
+    if(has_integers_only)
+      assert(value == constraint.rhs);
+    else
+      assert(std::fabs(value - constraint.rhs) < 1e-6);
+  }
+  assert(is_close(s.energy, problem.energy(s.x)));
+  assert(s.lower_bound <= s.energy + 1e-12 * std::fabs(s.energy));
+  if(s.conflicting_constraints.empty())
+    assert(s.relaxed_energy <= s.energy + 1e-9 * (1. + std::fabs(s.energy)));
+}
+
+template <typename NamedParameters>
+Solution solve_and_check(const Problem& problem, const NamedParameters& np)
+{
+  const Solution s = QM::solve_mixed_integer(problem, np);
+  check_solution(problem, s);
+  return s;
+}
+
+void add_random_equalities(CGAL::Random& random, Problem& problem, int integers, int reals)
+{
+  const int count = random.get_int(1, 3);
+  // With real coefficients each constraint needs a real variable of its own to leave the integers free.
+  const int kind = reals >= count ? random.get_int(0, 5) : (random.get_int(0, 4) + 3) % 5;
+  for(int c = 0; c < count; ++c)
+  {
+    Problem::Linear_form form;
+    switch(kind)
+    {
+      case 0: // small coefficients over integers
+        for(int i = 0; i < integers; ++i)
+          form.emplace_back(i, random.get_int(-1, 2));
+        problem.add_equality_constraint(form, random.get_int(-2, 3));
+        break;
+      case 1: // no coefficient is the greatest common divisor
+        for(int i = 0; i < integers; ++i)
+        {
+          const int primes[] = { 6, 10, 15, -6, -10, -15 };
+          form.emplace_back(i, primes[random.get_int(0, 6)]);
+        }
+        problem.add_equality_constraint(form, random.get_int(-3, 4));
+        break;
+      case 2: // real variables take part
+        for(int i = 0; i < integers + reals; ++i)
+          form.emplace_back(i, uniform(random, -2., 2.));
+        problem.add_equality_constraint(form, uniform(random, -2., 2.));
+        break;
+      case 3: // rational coefficients
+        for(int i = 0; i < integers; ++i)
+          form.emplace_back(i, random.get_int(-3, 4) / 3.);
+        problem.add_equality_constraint(form, random.get_int(-2, 3));
+        break;
+      default: // a constraint and others that follow from it, or contradict it
+      {
+        for(int i = 0; i < integers; ++i)
+          form.emplace_back(i, random.get_int(-1, 3));
+        const int rhs = random.get_int(-2, 3);
+        problem.add_equality_constraint(form, rhs);
+        Problem::Linear_form twice = form;
+        for(std::pair<int, double>& a : twice)
+          a.second *= 2.;
+        problem.add_equality_constraint(twice, 2. * rhs + (random.get_int(0, 2) ? 0. : 1.));
+      }
+    }
+  }
+}
+
+// Methods that promise the optimum find it; the others are feasible and never below.
+void test_against_brute_force(CGAL::Random& random)
+{
+  const int problems = 1000;
+  int conflicts = 0, redundancies = 0;
+  for(int p = 0; p < problems; ++p)
+  {
+    const bool has_equalities = p % 2 == 1;
+    const int integers = has_equalities ? random.get_int(1, 5) : random.get_int(1, p % 20 == 0 ? 11 : 7);
+    const int reals = random.get_int(0, 3);
+    Problem problem = random_problem(random, integers, reals);
+    if(has_equalities)
+      add_random_equalities(random, problem, integers, reals);
+
+    const Solution lattice = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    conflicts += !lattice.conflicting_constraints.empty();
+    redundancies += !lattice.redundant_constraints.empty();
+    check_solution(problem, lattice);
+    const double best = brute_force(problem, lattice.energy, lattice.conflicting_constraints);
+    assert(is_close(lattice.energy, best));
+
+    const QM::Rounding_method exact[] = { QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT };
+    for(QM::Rounding_method method : exact)
+    {
+      const Solution s = solve_and_check(problem, params::rounding_method(method));
+      assert(is_close(s.energy, best));
+      assert(s.status == Solution::OPTIMAL || s.status == Solution::CONFLICTING_CONSTRAINTS);
+    }
+    const Solution greedy = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+    assert(greedy.energy >= best - 1e-6 * (1. + std::fabs(best)));
+    assert(greedy.conflicting_constraints == lattice.conflicting_constraints);
+    const Solution direct = solve_and_check(problem, params::rounding_method(QM::DIRECT_ROUNDING));
+    assert(direct.energy >= best - 1e-6 * (1. + std::fabs(best)));
+    assert(is_close(direct.relaxed_energy, greedy.relaxed_energy));
+    const Solution naive = solve_and_check(problem, params::rounding_method(QM::NAIVE_ROUNDING));
+    assert(is_close(naive.energy, greedy.energy));
+  }
+  std::cout << "  " << problems << " problems, " << conflicts << " with conflicting, " << redundancies
+            << " with redundant constraints" << std::endl;
+  assert(conflicts > 20 && redundancies > 20);
+}
+
+// Constraints whose solutions are known.
+void test_elimination()
+{
+  {
+    // 6a + 10b + 15c = 1: no coefficient divides the others. The nearest solution to (0.1, 0.1, 0) is (1, 1, -1).
+    Problem problem(3);
+    const double target[] = { 0.1, 0.1, 0. };
+    for(int i = 0; i < 3; ++i)
+    {
+      problem.set_integer(i);
+      problem.add_squared_residual({ { i, 1. } }, target[i]);
+    }
+    problem.add_equality_constraint({ { 0, 6. }, { 1, 10. }, { 2, 15. } }, 1.);
+    const Solution s = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    assert(s.status == Solution::OPTIMAL && s.free_integers == 2);
+    assert(s.x[0] == 1. && s.x[1] == 1. && s.x[2] == -1.);
+  }
+  {
+    // Parity: 2a + 4b = 3 has no solution in integers, though it has real ones.
+    Problem problem(2);
+    for(int i = 0; i < 2; ++i)
+    {
+      problem.set_integer(i);
+      problem.add_squared_residual({ { i, 1. } }, 0.2);
+    }
+    problem.add_equality_constraint({ { 0, 2. }, { 1, 4. } }, 3.);
+    const Solution s = QM::solve_mixed_integer(problem);
+    assert(s.status == Solution::CONFLICTING_CONSTRAINTS);
+    assert(s.conflicting_constraints == std::vector<int>(1, 0) && s.all_integers_satisfied);
+  }
+  {
+    // Real coefficients over integers alone: a + sqrt(2) b = 1/2 has no solution, and it is said so.
+    Problem problem(2);
+    for(int i = 0; i < 2; ++i)
+    {
+      problem.set_integer(i);
+      problem.add_squared_residual({ { i, 1. } }, 0.2);
+    }
+    problem.add_equality_constraint({ { 0, 1. }, { 1, std::sqrt(2.) } }, 0.5);
+    const Solution s = QM::solve_mixed_integer(problem);
+    assert(s.status == Solution::INFEASIBLE && !s.all_integers_satisfied && !s.is_feasible());
+  }
+  {
+    // A chain with large coefficients: exact although products outgrow a double.
+    const int n = 12;
+    Problem problem(n);
+    for(int i = 0; i < n; ++i)
+    {
+      problem.set_integer(i);
+      problem.add_squared_residual({ { i, 1. } }, 0.3 * i);
+    }
+    for(int i = 0; i + 2 < n; ++i)
+      problem.add_equality_constraint({ { i, 30030. }, { i + 1, -46189. + i }, { i + 2, 1001. + 2. * i } }, 0.);
+    const Solution s = QM::solve_mixed_integer(problem);
+    assert(s.status == Solution::FEASIBLE || s.status == Solution::OPTIMAL);
+    check_solution(problem, s);
+  }
+  {
+    // Real variables go first: both integers stay free, and the coefficient 3 that would need a division is not chosen.
+    Problem problem(4);
+    for(int i = 0; i < 4; ++i)
+      problem.add_squared_residual({ { i, 1. } }, 0.4 + i);
+    problem.set_integer(0);
+    problem.set_integer(1);
+    problem.add_equality_constraint({ { 0, 1. }, { 1, 1. }, { 2, 3. }, { 3, 2. } }, 0.);
+    const Solution s = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+    assert(s.free_integers == 2 && s.free_variables == 3);
+    assert(s.x[0] + s.x[1] + 3. * s.x[2] + 2. * s.x[3] < 1e-14);
+  }
+}
+
+// Bounds and inequality constraints, all selections and branching rules.
+void test_inequalities(CGAL::Random& random)
+{
+  for(int p = 0; p < 150; ++p)
+  {
+    const int integers = random.get_int(1, 5), reals = 0;
+    Problem problem = random_problem(random, integers, reals);
+    for(int i = 0; i < integers; ++i)
+      problem.set_bounds(i, -3, 3);
+    for(int c = random.get_int(0, 4); c > 0; --c)
+    {
+      Problem::Linear_form form;
+      for(int i = 0; i < integers; ++i)
+        form.emplace_back(i, random.get_int(-4, 5));
+      problem.add_inequality_constraint(form, random.get_int(-4, 6));
+    }
+    const double best = brute_force(problem, 1e6, std::vector<int>());
+    const QM::Subproblem_selection selections[] = { QM::BEST_BOUND, QM::DEPTH_FIRST, QM::BEST_ESTIMATE };
+    const QM::Branching_rule rules[] = { QM::MINIMUM_INFEASIBILITY, QM::MAXIMUM_INFEASIBILITY, QM::PSEUDO_COSTS };
+    for(QM::Subproblem_selection selection : selections)
+      for(QM::Branching_rule rule : rules)
+        for(int m = 0; m < 2; ++m)
+        {
+          const Solution s = QM::solve_mixed_integer(problem,
+            params::rounding_method(m == 0 ? QM::BRANCH_AND_BOUND : QM::BRANCH_AND_CUT)
+              .subproblem_selection(selection).branching_rule(rule));
+          if(best == infinity)
+          {
+            assert(s.status == Solution::INFEASIBLE);
+            continue;
+          }
+          assert(s.status == Solution::OPTIMAL);
+          check_solution(problem, s);
+          assert(is_close(s.energy, best));
+        }
+    if(p % 5 == 0 && integers <= 3)
+    {
+      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::OUTER_APPROXIMATION));
+      assert(best == infinity ? s.status == Solution::INFEASIBLE : is_close(s.energy, best));
+    }
+  }
+
+  // Real variables with bounds: x real, 0 <= x <= 1/2, y integer, (x - 2)^2 + (y - x - 0.8)^2.
+  Problem problem(2);
+  problem.set_integer(1);
+  problem.set_bounds(0, 0., 0.5);
+  problem.add_squared_residual({ { 0, 1. } }, 2.);
+  problem.add_squared_residual({ { 1, 1. }, { 0, -1. } }, 0.8);
+  for(QM::Rounding_method method : { QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT, QM::OUTER_APPROXIMATION })
+  {
+    const Solution s = solve_and_check(problem, params::rounding_method(method));
+    assert(s.x[1] == 1. && is_close(s.x[0], 0.5) && is_close(s.energy, 2.25 + 0.09));
+  }
+}
+
+// Integer and mixed-integer linear programs.
+void test_linear_programs(CGAL::Random& random)
+{
+  int feasible = 0, cuts = 0;
+  for(int p = 0; p < 300; ++p)
+  {
+    const int n = random.get_int(1, 5);
+    Problem problem(n);
+    Eigen::VectorXd b(n);
+    std::vector<int> low(n), high(n);
+    for(int i = 0; i < n; ++i)
+    {
+      b[i] = random.get_int(-5, 6);
+      problem.set_integer(i);
+      low[i] = random.get_int(-4, 1);
+      high[i] = low[i] + random.get_int(1, 7);
+      problem.set_bounds(i, low[i], high[i]);
+    }
+    problem.set_energy(Eigen::SparseMatrix<double>(n, n), b);
+    std::vector<std::vector<int> > rows;
+    for(int c = random.get_int(1, 4); c > 0; --c)
+    {
+      rows.emplace_back();
+      Problem::Linear_form form;
+      for(int i = 0; i < n; ++i)
+      {
+        rows.back().push_back(random.get_int(-6, 10));
+        form.emplace_back(i, rows.back().back());
+      }
+      rows.back().push_back(random.get_int(-6, 16));
+      problem.add_inequality_constraint(form, rows.back().back());
+    }
+    int best = (std::numeric_limits<int>::max)();
+    for_each_integer_point(low, high, [&](const std::vector<int>& y)
+    {
+      for(const std::vector<int>& row : rows)
+      {
+        int value = 0;
+        for(int i = 0; i < n; ++i)
+          value += row[i] * y[i];
+        if(value > row[n])
+          return;
+      }
+      int energy = 0;
+      for(int i = 0; i < n; ++i)
+        energy -= static_cast<int>(b[i]) * y[i];
+      best = (std::min)(best, energy);
+    });
+    const bool is_feasible = best < (std::numeric_limits<int>::max)();
+    feasible += is_feasible;
+    for(QM::Rounding_method method : { QM::CUTTING_PLANES, QM::BRANCH_AND_CUT, QM::BRANCH_AND_BOUND })
+    {
+      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
+      assert(s.status == (is_feasible ? Solution::OPTIMAL : Solution::INFEASIBLE));
+      if(!is_feasible)
+        continue;
+      check_solution(problem, s);
+      assert(s.energy == best);
+      cuts += s.cuts;
+    }
+  }
+  assert(feasible > 100 && cuts > 100);
+
+  // min -x - y, x integer, y real, 2x + 2y <= 5, x - y <= 1/2, 0 <= x, y <= 4: x = 1, y = 3/2 and others of energy -2.5.
+  Problem problem(2);
+  problem.set_integer(0);
+  problem.set_energy(Eigen::SparseMatrix<double>(2, 2), Eigen::Vector2d(1.5, 1.));
+  problem.set_bounds(0, 0, 4);
+  problem.set_bounds(1, 0, 4);
+  problem.add_inequality_constraint({ { 0, 2. }, { 1, 2. } }, 5.);
+  problem.add_inequality_constraint({ { 0, 1. }, { 1, -1. } }, 0.25);
+  for(QM::Rounding_method method : { QM::CUTTING_PLANES, QM::BRANCH_AND_CUT, QM::BRANCH_AND_BOUND })
+  {
+    const Solution s = solve_and_check(problem, params::rounding_method(method));
+    assert(s.x[0] == 1. && is_close(s.x[1], 1.5) && is_close(s.energy, -3.));
+  }
+}
+
+// A grid of reals with integers along some edges: few integers of global influence.
+Problem grid_problem(CGAL::Random& random, int width, int integers)
+{
+  Problem problem(width * width);
+  const auto index = [width](int i, int j) { return i * width + j; };
+  std::vector<int> jumps;
+  for(int k = 0; k < integers; ++k)
+    jumps.push_back(problem.add_variable(true));
+  for(int i = 0; i < width; ++i)
+    for(int j = 0; j < width; ++j)
+    {
+      for(int d = 0; d < 2; ++d)
+      {
+        const int i2 = i + (d == 0), j2 = j + (d == 1);
+        if(i2 == width || j2 == width)
+          continue;
+        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
+        if(random.get_int(0, 4) == 0)
+          form.emplace_back(jumps[random.get_int(0, integers)], random.get_int(0, 2) ? 1. : -1.);
+        problem.add_squared_residual(form, uniform(random, -0.7, 0.7));
+      }
+    }
+  problem.add_equality_constraint({ { 0, 1. } }, 0.);
+  return problem;
+}
+
+// The levels and backends of greedy rounding agree with naive rounding.
+void test_greedy_levels(CGAL::Random& random)
+{
+  const Problem problem = grid_problem(random, 14, 60);
+  const Solution naive = solve_and_check(problem, params::rounding_method(QM::NAIVE_ROUNDING));
+  assert(naive.factorization_roundings == naive.free_integers);
+
+  const Solution dense = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+  assert(dense.dense_roundings == 60 && dense.factorizations == 1);
+  assert(is_close(dense.energy, naive.energy));
+
+  const Solution local = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+    .maximum_dense_integers(0).rounding_tolerance(1e-9).simultaneous_rounding(false));
+  assert(local.gauss_seidel_roundings > 0 && is_close(local.energy, naive.energy));
+
+  const Solution gradient = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+    .maximum_dense_integers(0).rounding_tolerance(1e-9).simultaneous_rounding(false).gauss_seidel_iterations(0)
+    .conjugate_gradient_iterations(1000));
+  assert(gradient.conjugate_gradient_roundings > 0 && is_close(gradient.energy, naive.energy));
+
+  const Solution simultaneous = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+    .maximum_dense_integers(0));
+  assert(simultaneous.simultaneous_roundings > 0);
+  assert(simultaneous.energy - naive.relaxed_energy < 1.5 * (naive.energy - naive.relaxed_energy));
+
+  typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType> >
+    Other_solver;
+  const Solution other = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+    .sparse_linear_solver(Other_solver()));
+  assert(is_close(other.energy, naive.energy));
+
+  const Solution lattice = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+    .maximum_number_of_nodes(3e5));
+  assert(lattice.energy <= dense.energy + 1e-9 && lattice.lower_bound >= dense.relaxed_energy - 1e-6);
+  const Solution again = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+    .maximum_number_of_nodes(3e5));
+  assert((lattice.x - again.x).cwiseAbs().maxCoeff() == 0.);
+}
+
+// Independent components add up, and many integers are decoded in blocks.
+void test_lattice_of_many_integers(CGAL::Random& random)
+{
+  const Problem part = grid_problem(random, 10, 30);
+  const Solution one = solve_and_check(part, params::rounding_method(QM::LATTICE_ROUNDING));
+  const Eigen::SparseMatrix<double> A = part.matrix();
+  const int n = part.number_of_variables(), copies = 3;
+  std::vector<Eigen::Triplet<double> > triplets;
+  Eigen::VectorXd b(copies * n);
+  Problem whole(copies * n);
+  for(int c = 0; c < copies; ++c)
+  {
+    for(int j = 0; j < n; ++j)
+    {
+      for(Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it)
+        triplets.emplace_back(c * n + static_cast<int>(it.row()), c * n + j, it.value());
+      whole.set_integer(c * n + j, part.is_integer(j));
+    }
+    b.segment(c * n, n) = part.linear_term();
+  }
+  Eigen::SparseMatrix<double> all(copies * n, copies * n);
+  all.setFromTriplets(triplets.begin(), triplets.end());
+  whole.set_energy(all, b, copies * part.constant());
+  for(int c = 0; c < copies; ++c)
+    whole.add_equality_constraint({ { c * n, 1. } }, 0.);
+  const Solution three = solve_and_check(whole, params::rounding_method(QM::LATTICE_ROUNDING)
+    .maximum_number_of_nodes(9e7));
+  assert(one.status == Solution::OPTIMAL && three.status == Solution::OPTIMAL);
+  assert(is_close(three.energy, copies * one.energy));
+
+  // Residuals of a few integers each: strongly coupled, and too many to be decoded as a whole.
+  const int integers = 220;
+  Problem large(integers);
+  for(int i = 0; i < integers; ++i)
+  {
+    large.set_integer(i);
+    large.add_squared_residual({ { i, 1. } }, uniform(random, -2., 2.), 0.02);
+  }
+  for(int k = 0; k < integers; ++k)
+  {
+    Problem::Linear_form form;
+    for(int i = 0; i < 6; ++i)
+      form.emplace_back(random.get_int(0, integers), uniform(random, -1., 1.));
+    large.add_squared_residual(form, uniform(random, -2., 2.));
+  }
+  const Solution greedy = solve_and_check(large, params::rounding_method(QM::GREEDY_ROUNDING));
+  const Solution lattice = solve_and_check(large, params::rounding_method(QM::LATTICE_ROUNDING)
+    .maximum_number_of_nodes(1e6));
+  assert(lattice.energy < greedy.energy);
+}
+
+void test_sparse_cholesky(CGAL::Random& random)
+{
+  const int n = 80, m = 7;
+  Eigen::SparseMatrix<double> A(n, n), B(n, m);
+  std::vector<Eigen::Triplet<double> > triplets;
+  for(int i = 0; i < n; ++i)
+    triplets.emplace_back(i, i, 9.);
+  for(int k = 0; k < 2 * n; ++k)
+  {
+    const int i = random.get_int(0, n), j = random.get_int(0, n);
+    const double v = uniform(random, -0.5, 0.5);
+    if(i != j)
+    {
+      triplets.emplace_back(i, j, v);
+      triplets.emplace_back(j, i, v);
+    }
+  }
+  A.setFromTriplets(triplets.begin(), triplets.end());
+  triplets.clear();
+  for(int k = 0; k < 20; ++k)
+    triplets.emplace_back(random.get_int(0, n), random.get_int(0, m), 1.);
+  B.setFromTriplets(triplets.begin(), triplets.end());
+
+  QM::Sparse_cholesky solver;
+  assert(solver.compute(A) && solver.ok());
+  const Eigen::MatrixXd X = solver.solve(Eigen::MatrixXd(B));
+  assert((A * X - Eigen::MatrixXd(B)).cwiseAbs().maxCoeff() < 1e-12);
+  const Eigen::MatrixXd product = B.transpose() * X;
+  assert((solver.product_with_inverse(B) - product).cwiseAbs().maxCoeff() < 1e-12);
+
+  // Only the lower triangle is read; the pattern may be used again.
+  Eigen::SparseMatrix<double> lower = A.triangularView<Eigen::Lower>();
+  lower *= 2.;
+  QM::Sparse_cholesky half;
+  half.analyze(lower);
+  assert(half.factorize(lower));
+  assert((2. * half.solve(Eigen::MatrixXd(B)) - X).cwiseAbs().maxCoeff() < 1e-12);
+
+  A.coeffRef(3, 3) = -1.;
+  assert(!solver.compute(A) && !solver.ok());
+  assert(QM::Sparse_cholesky().compute(Eigen::SparseMatrix<double>(0, 0)));
+}
+
+void test_special_cases()
+{
+  // No variable at all.
+  assert(QM::solve_mixed_integer(Problem()).status == Solution::OPTIMAL);
+
+  // No integer.
+  Problem real(2);
+  real.add_squared_residual({ { 0, 1. }, { 1, 1. } }, 3.);
+  real.add_squared_residual({ { 0, 1. }, { 1, -1. } }, 1.);
+  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING,
+                                     QM::LATTICE_ROUNDING, QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT,
+                                     QM::OUTER_APPROXIMATION })
+  {
+    const Solution s = QM::solve_mixed_integer(real, params::rounding_method(method));
+    assert(s.status == Solution::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 1.));
+  }
+
+  // Energies without a unique minimum get one of them; concave ones are refused.
+  Problem flat(2);
+  flat.set_integer(1);
+  flat.add_squared_residual({ { 0, 1. }, { 1, -1. } }, 0.5);
+  const Solution s = QM::solve_mixed_integer(flat);
+  check_solution(flat, s);
+  assert(std::fabs(s.energy) < 1e-6);
+  Eigen::SparseMatrix<double> negative(2, 2);
+  negative.insert(0, 0) = -1.;
+  negative.insert(1, 1) = 1.;
+  Problem concave(2);
+  concave.set_energy(negative, Eigen::Vector2d(0., 0.));
+  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
+    assert(QM::solve_mixed_integer(concave, params::rounding_method(method)).status == Solution::NUMERICAL_FAILURE);
+
+  Problem nan(1);
+  nan.add_squared_residual({ { 0, std::numeric_limits<double>::quiet_NaN() } }, 0.);
+  assert(QM::solve_mixed_integer(nan).status == Solution::NUMERICAL_FAILURE);
+
+  // What a method cannot treat is said so.
+  Problem bounded(1);
+  bounded.set_integer(0);
+  bounded.set_bounds(0, 0, 1);
+  bounded.add_squared_residual({ { 0, 1. } }, 2.6);
+  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::GREEDY_ROUNDING)).status
+         == Solution::UNSUPPORTED_PROBLEM);
+  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::CUTTING_PLANES)).status
+         == Solution::UNSUPPORTED_PROBLEM);
+  assert(QM::solve_mixed_integer(bounded).x[0] == 1.);
+
+  // An unbounded linear program.
+  Problem unbounded(1);
+  unbounded.set_integer(0);
+  unbounded.set_energy(Eigen::SparseMatrix<double>(1, 1), Eigen::VectorXd::Ones(1));
+  assert(QM::solve_mixed_integer(unbounded, params::rounding_method(QM::BRANCH_AND_CUT)).status
+         == Solution::UNBOUNDED);
+}
+
+struct Stopping_visitor : QM::Default_visitor
+{
+  int calls = 0;
+  bool go_further() { return ++calls < 3; }
+};
+
+void test_visitor(CGAL::Random& random)
+{
+  const Problem problem = grid_problem(random, 10, 30);
+  Stopping_visitor visitor;
+  const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)
+    .visitor(std::ref(visitor)));
+  assert(s.status == Solution::LIMIT_REACHED && s.x.size() == 0);
+}
+
+int main()
+{
+  CGAL::Random random(7);
+  std::cout << "random seed " << random.get_seed() << std::endl;
+  std::cout << "sparse Cholesky" << std::endl;
+  test_sparse_cholesky(random);
+  std::cout << "elimination" << std::endl;
+  test_elimination();
+  std::cout << "special cases" << std::endl;
+  test_special_cases();
+  std::cout << "brute force" << std::endl;
+  test_against_brute_force(random);
+  std::cout << "linear programs" << std::endl;
+  test_linear_programs(random);
+  std::cout << "inequalities" << std::endl;
+  test_inequalities(random);
+  std::cout << "greedy levels" << std::endl;
+  test_greedy_levels(random);
+  std::cout << "many integers" << std::endl;
+  test_lattice_of_many_integers(random);
+  std::cout << "visitor" << std::endl;
+  test_visitor(random);
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
