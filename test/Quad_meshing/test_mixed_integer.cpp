@@ -8,6 +8,7 @@
 
 // Mixed-integer problems against brute force, and methods against each other.
 
+#include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
 #include <CGAL/Eigen_solver_traits.h>
@@ -15,12 +16,16 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace QM = CGAL::Quad_meshing;
@@ -694,6 +699,33 @@ void test_special_cases()
          == Solution::UNBOUNDED);
 }
 
+void test_matrix_market()
+{
+  const auto read = [](const std::string& text, Eigen::SparseMatrix<double>& matrix)
+  {
+    std::istringstream in(text);
+    std::string message;
+    const bool ok = QM::read_matrix_market(in, matrix, message);
+    assert(ok == message.empty());
+    return ok;
+  };
+  Eigen::SparseMatrix<double> M;
+  assert(read("%%MatrixMarket matrix coordinate real symmetric\n% c\n2 2 2\n1 1 4\n2 1 -1e0\n", M));
+  assert(M.coeff(0, 0) == 4. && M.coeff(0, 1) == -1. && M.coeff(1, 0) == -1. && M.coeff(1, 1) == 0.);
+  assert(read("%%MatrixMarket matrix array real general\n2 1\n3\n5\n", M));
+  assert(M.rows() == 2 && M.cols() == 1 && M.coeff(0, 0) == 3. && M.coeff(1, 0) == 5.);
+  for(const char* text : { "", "garbage", "%%MatrixMarket matrix coordinate complex general\n1 1 0\n",
+                           "%%MatrixMarket matrix coordinate real general\n2 2\n",
+                           "%%MatrixMarket matrix coordinate real general\n2 2 1\n3 1 1\n",
+                           "%%MatrixMarket matrix coordinate real general\n2 2 2\n1 1 1\n",
+                           "%%MatrixMarket matrix coordinate real general\n1 1 1\n1 1 nan\n",
+                           "%%MatrixMarket matrix coordinate real symmetric\n1 2 0\n" })
+  {
+    assert(!read(text, M));
+    assert(M.rows() == 2); // as it was
+  }
+}
+
 struct Stopping_visitor : QM::Default_visitor
 {
   int calls = 0;
@@ -717,6 +749,8 @@ int main()
   test_sparse_cholesky(random);
   std::cout << "elimination" << std::endl;
   test_elimination();
+  std::cout << "Matrix Market" << std::endl;
+  test_matrix_market();
   std::cout << "special cases" << std::endl;
   test_special_cases();
   std::cout << "brute force" << std::endl;

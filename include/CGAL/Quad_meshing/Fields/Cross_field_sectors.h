@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cmath>

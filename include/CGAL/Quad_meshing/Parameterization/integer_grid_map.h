@@ -140,7 +140,7 @@ guarantee to find such a map: if integers leave no room for one, the result is `
     \cgalParamDescription{the largest number of times that the energy is weighted anew where triangles are distorted
                           (thesis, "Local stiffening"), as long as there are folded ones}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{0: fold-overs are removed otherwise}
+    \cgalParamDefault{5}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told about the stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
@@ -187,7 +187,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
   const Rounding_method method = choose_parameter(get_parameter(np, internal_np::rounding_method), GREEDY_ROUNDING);
   const double anisotropy = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), 1.);
-  const unsigned int stiffening = choose_parameter(get_parameter(np, internal_np::stiffening_iterations), 0u);
+  const unsigned int stiffening = choose_parameter(get_parameter(np, internal_np::stiffening_iterations), 5u);
   auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                          Static_boolean_property_map<edge_descriptor, false>());
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
@@ -255,7 +255,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   result.integers = solver.number_of_integers();
   if(stopped())
     return result;
-  if(!solver.solve_seamless(anisotropy))
+  if(!solver.solve_seamless(anisotropy, stiffening))
   {
     visitor.on_stage_end("parameterization");
     return finished(Result::NUMERICAL_FAILURE, "The energy of the parameterization could not be factorized.");

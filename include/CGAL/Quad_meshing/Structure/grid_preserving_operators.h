@@ -66,7 +66,7 @@ struct Grid_preserving_step
  * to the right goes straight on or turns left into collapses. A path of collapses may also end at the
  * boundary and begin there. The whole path cuts the surface and glues it together again, one side moved on
  * by one quad. So the result is a pure quad mesh with the same topology and the same valences of the
- * irregular vertices, only with fewer quads (\cgalCite{cgal:blk-socq-11}).
+ * irregular vertices, only with fewer quads (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral meshes*, Computer Graphics Forum 30(2), 2011).
  */
 template <typename QuadMesh>
 using Grid_preserving_operator = std::vector<Grid_preserving_step<QuadMesh> >;

@@ -35,7 +35,7 @@ namespace Quad_meshing {
  * at a corner counts as reflex (above 180 degrees), and the *Jacobian* there as negative, if the
  * corner is turned over with respect to that normal. The *scaled Jacobian* of a quad is the smallest
  * of the signed areas of the parallelograms at its four corners when all sides are scaled to unit
- * length: 1 for a rectangle, not positive for a quad that is not strictly convex (\cgalCite{cgal:k-aqm-01}).
+ * length: 1 for a rectangle, not positive for a quad that is not strictly convex (Knupp: *Algebraic mesh quality metrics*, SIAM J. Sci. Comput. 23(1), 2001).
  */
 struct Quad_mesh_quality
 {

@@ -176,7 +176,7 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const Smooth& smo
  * a square corner, with a smaller part that asks for the mean area of the neighbourhood; it is
  * minimized vertex by vertex. A quad that is strictly convex stays so and is not turned over, because
  * steps that would do so are not taken. If the input has folded quads, these and their neighbourhood
- * are first unfolded with the energy of \cgalCite{cgal:gkkdc-foldover-21}. That needs no valid start and
+ * are first unfolded with the energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov: *Foldover-free maps in 50 lines of code*, ACM TOG 40(4), 2021. That needs no valid start and
  * mostly succeeds, but is not guaranteed to.
  *
  * \tparam QuadMesh a model of `FaceListGraph`

@@ -160,7 +160,8 @@ inline void for_each_direction_in_sector(const Grid_map& map, int h, const Funct
   for_each_direction_in_sector(map.uv[h], map.uv[Mesh::next(h)], map.uv[Mesh::prev(h)], sign, closed, f);
 }
 
-// The number of inner vertices around which the directions do not add up to one turn and which are no grid points.
+// The number of inner vertices around which the directions do not add up to one turn and which are no grid points. Only where all
+// faces around are positive do the directions tell the angle.
 inline int number_of_singular_vertices_off_grid(const Grid_map& map)
 {
   int n = 0;
@@ -170,8 +171,13 @@ inline int number_of_singular_vertices_off_grid(const Grid_map& map)
     if(h == -1 || map.mesh.opposite[h] == -1 || map.is_integer_corner(h))
       continue;
     int quarters = 0;
-    for_each_sector(map.mesh, v, [&](int g) { for_each_direction_in_sector(map, g, [&](int, int s) { quarters += s; }); });
-    n += quarters != 4;
+    bool positive = true;
+    for_each_sector(map.mesh, v, [&](int g)
+    {
+      positive &= map.sign[g / 3] > 0;
+      for_each_direction_in_sector(map, g, [&](int, int) { ++quarters; });
+    });
+    n += positive && quarters != 4;
   }
   return n;
 }

@@ -247,12 +247,15 @@ private:
   }
 
   // Whether the vertex is a regular inner one, which may be moved. Leaves it in `m_fan`. To turn around a vertex of valence 8 leads back to
-  // the start, too; what differs is the sum of the directions, which fold-overs do not change, but triangles without area hide.
+  // the start, too; such a vertex is recognized, if fold-overs beside it do not hide it, by being a grid point around which the
+  // directions add up to more than one turn. (Less than one turn is what a vertex moved out of its link has.)
   bool is_free(int v)
   {
     Grid_automorphism g;
     if(!unfold(v, g) || !g.is_identity())
       return false;
+    if(!m_map.is_integer_corner(m_fan.front().h))
+      return true;
     int quarters = 0;
     for(const Sector& s : m_fan)
     {
@@ -260,7 +263,7 @@ private:
         return true;
       for_each_direction_in_sector(m_map, s.h, [&](int, int sign) { quarters += sign; });
     }
-    return quarters == 4;
+    return quarters <= 4;
   }
 
   // The rotation across an edge whose image is a point cannot be seen there: every rotation about the point describes the
@@ -341,7 +344,8 @@ private:
       const int h = m_fan[i].h, before = m_fan[i == 0 ? m_fan.size() - 1 : i - 1].h;
       exact &= m_map.transition[h](m_map.uv[h]) == m_map.uv[before];
     }
-    if(exact)
+    // Without noise there is nothing to remove here; with it, a border vertex may be off its isoline unnoticed.
+    if(exact && snap_distance == 0)
       return;
     double x = 0, y = 0;
     for(const Sector& s : m_fan)

@@ -14,8 +14,10 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <set>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -39,19 +41,24 @@ std::size_t flatten_degenerate_faces(TriangleMesh& tm, VertexPointMap vpm, std::
     return collinear(point(h), point(next(h, tm)), point(prev(h, tm)));
   };
 
+  // Every face waits at most once, so that no face is taken up again after it was removed.
   std::deque<face_descriptor> queue;
+  std::set<face_descriptor> waiting;
   for(face_descriptor f : faces(tm))
     if(is_degenerate(f))
       queue.push_back(f);
+  waiting.insert(queue.begin(), queue.end());
 
   // A flip may make the neighbor one of zero area, which then waits for its own turn; a bound on the
-  // number of turns ends what would run in circles among collinear vertices.
-  removed = 0;
-  std::size_t left = 0;
-  std::size_t turns = 10 * queue.size();
+  // number of flips ends what would run in circles among collinear vertices.
+  const std::size_t number = queue.size();
+  std::size_t flips = 10 * number;
   for(; !queue.empty(); queue.pop_front())
   {
     const face_descriptor f = queue.front();
+    waiting.erase(f);
+    if(!is_degenerate(f))
+      continue;
     halfedge_descriptor longest = halfedge(f, tm);
     for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
       if(squared_distance(point(h), point(prev(h, tm))) > squared_distance(point(longest), point(prev(longest, tm))))
@@ -65,33 +72,22 @@ std::size_t flatten_degenerate_faces(TriangleMesh& tm, VertexPointMap vpm, std::
       bool is_at_border = false;
       for(halfedge_descriptor h : CGAL::halfedges_around_target(n, tm))
         is_at_border = is_at_border || is_border(h, tm);
-      if(is_at_border)
-      {
-        ++left;
-        continue;
-      }
-      Euler::remove_face(longest, tm);
-      ++removed;
+      if(!is_at_border)
+        Euler::remove_face(longest, tm);
       continue;
     }
 
-    if(turns == 0 || halfedge(target(n, tm), target(next(other, tm), tm), tm).second ||
+    if(flips == 0 || halfedge(target(n, tm), target(next(other, tm), tm), tm).second ||
        target(n, tm) == target(next(other, tm), tm))
-    {
-      ++left;
       continue;
-    }
-    --turns;
+    --flips;
     Euler::flip_edge(longest, tm);
-    ++removed;
     for(face_descriptor g : { face(n, tm), face(p, tm) })
-    {
-      if(!is_degenerate(g))
-        continue;
-      queue.push_back(g);
-      --removed;
-    }
+      if(is_degenerate(g) && waiting.insert(g).second)
+        queue.push_back(g);
   }
+  const std::size_t left = number == 0 ? 0 : std::count_if(faces(tm).begin(), faces(tm).end(), is_degenerate);
+  removed = number > left ? number - left : 0;
   return left;
 }
 

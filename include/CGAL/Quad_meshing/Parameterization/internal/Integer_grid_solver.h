@@ -52,7 +52,7 @@ public:
 
   // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are rounded.
   // Returns false if the energy could not be factorized.
-  bool solve_seamless(double anisotropy)
+  bool solve_seamless(double anisotropy, unsigned int stiffening_iterations)
   {
     const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy);
     if(!reduction.compute(energy.A, energy.b, coordinates.is_integer))
@@ -62,9 +62,11 @@ public:
       return false;
     constant = energy.constant;
     relaxed_energy = reduction.energy(relaxed) + constant;
+    const std::vector<bool> all_free(coordinates.number_of_variables(), false);
+    stiffen(relaxed, all_free, stiffening_iterations, anisotropy);
     // Moving vertices alone is local and nearly always enough; translations and grid lines reach far.
     if(!optimization.untangle(relaxed, coordinates.is_integer))
-      optimization.untangle(relaxed, std::vector<bool>(relaxed.size(), false), 3);
+      optimization.untangle(relaxed, all_free, 3);
     return true;
   }
 
@@ -108,26 +110,42 @@ public:
     rounded_energy = reduction.energy(x) + constant;
   }
 
-  // With the integers fixed: stiffening, as long as it is asked for and there are fold-overs, then moving vertices.
+  // With the integers fixed. The map without integer conditions has no fold-overs; it is carried along by the smooth displacement that
+  // the integers impose, which folds less than the map of least energy does. Stiffening and moving vertices
+  // mend the rest; if that is not enough, the displacement is done in steps, each of which is mended.
   void remove_fold_overs(unsigned int stiffening_iterations, double anisotropy)
   {
-    Stiffening stiffening(coordinates, faces);
-    for(unsigned int i = 0; i < stiffening_iterations && !optimization.folded_faces(x).empty(); ++i)
+    const Eigen::VectorXd rounded = x;
+    const Eigen::VectorXd displacement = rounded - reduction.complete(reduction.integers_of(relaxed));
+    auto displaced = [&](Eigen::VectorXd y, double share)
     {
-      stiffening.update_weights(x);
-      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy);
-      Integer_reduction stiffened;
-      if(!stiffened.factorize(energy.A, energy.b, coordinates.is_integer))
-        break;
-      Eigen::VectorXd y(stiffened.integers.size());
-      for(std::size_t k = 0; k < stiffened.integers.size(); ++k)
-        y[k] = x[stiffened.integers[k]];
-      const Eigen::VectorXd z = stiffened.complete(y);
-      if(optimization.folded_faces(z).size() >= optimization.folded_faces(x).size())
-        break; // more of it can make things worse
-      x = z;
+      y += share * displacement;
+      return y;
+    };
+    auto with_exact_integers = [&](Eigen::VectorXd y)
+    {
+      for(int i : reduction.integers)
+        y[i] = rounded[i];
+      return y;
+    };
+    const Eigen::VectorXd carried = with_exact_integers(displaced(relaxed, 1));
+    if(optimization.folded_faces(carried).size() < optimization.folded_faces(rounded).size())
+      x = carried;
+    stiffen(x, coordinates.is_integer, stiffening_iterations, anisotropy);
+    if(optimization.untangle(x, coordinates.is_integer))
+      return;
+    const int steps = 8;
+    Eigen::VectorXd y = relaxed;
+    for(int i = 0; i < steps; ++i)
+    {
+      y = displaced(y, 1. / steps);
+      if(i + 1 == steps)
+        y = with_exact_integers(y);
+      optimization.untangle(y, coordinates.is_integer, 3);
     }
-    optimization.untangle(x, coordinates.is_integer);
+    optimization.untangle(y, coordinates.is_integer);
+    if(optimization.folded_faces(y).size() < optimization.folded_faces(x).size())
+      x = y;
   }
 
   // The vertices that lie on grid points whatever the real variables are: singular ones, and those where aligned
@@ -201,6 +219,30 @@ private:
   Map_optimization optimization;
   Integer_reduction reduction;
   double constant = 0;
+
+  // Weights the energy anew and minimizes it over the variables that are not fixed, as long as there are fold-overs; `y` becomes
+  // the map with the fewest, for more weight can make things worse.
+  void stiffen(Eigen::VectorXd& y, const std::vector<bool>& is_fixed, unsigned int iterations, double anisotropy)
+  {
+    Stiffening stiffening(coordinates, faces);
+    Eigen::VectorXd z = y;
+    std::size_t fewest = optimization.folded_faces(y).size();
+    for(unsigned int i = 0; i < iterations && fewest > 0; ++i)
+    {
+      stiffening.update_weights(z);
+      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy);
+      Integer_reduction stiffened;
+      if(!stiffened.factorize(energy.A, energy.b, is_fixed))
+        return;
+      z = stiffened.complete(stiffened.integers_of(y));
+      const std::size_t n = optimization.folded_faces(z).size();
+      if(n < fewest)
+      {
+        fewest = n;
+        y = z;
+      }
+    }
+  }
 
   static std::vector<bool> singular_vertices(const Indexed_triangle_mesh& mesh, const std::vector<int>& quarters)
   {

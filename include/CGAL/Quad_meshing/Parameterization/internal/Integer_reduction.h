@@ -105,6 +105,15 @@ public:
     return x;
   }
 
+  // The integer variables of an assignment of all.
+  Eigen::VectorXd integers_of(const Eigen::VectorXd& x) const
+  {
+    Eigen::VectorXd y(integers.size());
+    for(std::size_t i = 0; i < integers.size(); ++i)
+      y[i] = x[integers[i]];
+    return y;
+  }
+
   // The energy, without the constant, of an assignment of all variables.
   double energy(const Eigen::VectorXd& x) const { return 0.5 * x.dot(matrix * x) - x.dot(rhs); }
 

@@ -48,7 +48,8 @@ public:
   // Weight w of the area part against the shape part.
   static constexpr double area_weight = 0.1;
   // A step may not make the smallest scaled Jacobian around its vertex smaller, if it is below this then.
-  static constexpr double guarded_jacobian = 0.7;
+  // What has just been unfolded needs more freedom.
+  static constexpr double guarded_jacobian = 0.7, guarded_when_unfolding = 0.2;
   // A vertex rests when its last step was shorter than this, relative to the sides around it.
   static constexpr double resting_step = 0.003;
   // Longest step, relative to the sides around the vertex.
@@ -64,6 +65,7 @@ public:
                 const std::vector<char>& is_fixed_vertex)
     : m(mesh), surface(surface), features(features), borders(borders)
   {
+    m_was_unfolded.assign(m.number_of_vertices(), 0);
     collect_incident_corners();
     classify(is_fixed_vertex);
     update_scales();
@@ -141,7 +143,10 @@ public:
       for(int f : region_faces)
         m_normal[f] = reference_normal(f);
       for(int v : region_vertices)
+      {
+        m_was_unfolded[v] = 1;
         improve(v, false);
+      }
       for(int f : region_faces)
         update_face(f);
       folded = folded_quads();
@@ -264,7 +269,7 @@ private:
   // over, and the worst of them would not be worse than now, unless it is good enough.
   bool is_safe(int v, const Point_3& p) const
   {
-    double worst_now = guarded_jacobian;
+    double worst_now = m_was_unfolded[v] ? guarded_when_unfolding : guarded_jacobian;
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       worst_now = (std::min)(worst_now, m_jacobian[m_corner[i] / 4]);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
@@ -532,6 +537,7 @@ private:
   std::vector<Vector_3> m_normal;         // per face: unit; of the quad, or of the surface while unfolding
   std::vector<double> m_jacobian;         // per face: minimal scaled Jacobian
   std::vector<char> m_active;             // per vertex: takes part in the next sweep
+  std::vector<char> m_was_unfolded;       // per vertex: lay close to a fold
 };
 
 } // namespace internal

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// The cost of the analysis, the smoothing and the grid-preserving operators, beside what it costs to copy the
+// mesh into flat arrays. Every random operator is checked: a pure quad mesh of the same topology with the
+// same number of irregular vertices of each valence.
+//
+//   bench_structure [number of random operators, default 90000] [seed, default 1]
+
+#include "structure_meshes.h"
+
+#include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Random.h>
+#include <CGAL/Timer.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace QM = CGAL::Quad_meshing;
+namespace SM = structure_meshes;
+typedef QM::internal::Indexed_quad_mesh Flat_mesh;
+
+namespace {
+
+double seconds(CGAL::Timer& timer)
+{
+  const double t = timer.time();
+  timer.reset();
+  return t;
+}
+
+void analysis_and_smoothing()
+{
+  std::printf("%10s | %10s %10s %10s | %10s %18s\n", "quads", "copy s", "analysis s", "smooth s", "x copy", "analysis s/100k");
+  for(int n : { 26, 82, 129 })
+  {
+    SM::Mesh qm = SM::make_mesh(SM::sphere(n));
+    CGAL::Timer timer;
+    timer.start();
+    const Flat_mesh m = QM::internal::make_indexed_quad_mesh(qm).mesh;
+    const double copy = seconds(timer);
+    QM::internal::structure_of_quad_mesh(m);
+    const double analysis = seconds(timer);
+    QM::smooth_quad_mesh(qm);
+    const double smoothing = seconds(timer);
+    std::printf("%10d | %10.4f %10.4f %10.4f | %10.1f %18.4f\n", m.number_of_faces(), copy, analysis, smoothing,
+                analysis / copy, analysis * 1e5 / m.number_of_faces());
+  }
+}
+
+bool random_operators(int wanted, unsigned int seed)
+{
+  const std::vector<SM::Quad_soup> soups = { SM::cube(8), SM::rolled(16, 12, 2, true), SM::rolled(16, 12, 1, false), SM::grid(12, 9),
+                                             SM::refined(SM::cube(2), 3) };
+  CGAL::Random random(seed);
+  CGAL::Timer timer;
+  timer.start();
+  int done = 0, not_representable = 0, violations = 0;
+  long steps = 0;
+  for(std::size_t k = 0; k < soups.size(); ++k)
+  {
+    const Flat_mesh input = QM::internal::make_indexed_quad_mesh(SM::make_mesh(soups[k])).mesh;
+    const QM::Quad_mesh_structure before = QM::internal::structure_of_quad_mesh(input);
+    Flat_mesh m = input;
+    const int end = static_cast<int>(wanted * (k + 1) / soups.size());
+    while(done < end)
+    {
+      const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+      QM::internal::Gp_search search(m, rules);
+      QM::internal::Gp_path path;
+      for(int attempt = 0; attempt < 10 && path.empty(); ++attempt)
+        path = search.close({ 3 * random.get_int(0, m.number_of_halfedges()) + random.get_int(0, 3) });
+      if(path.empty())
+      {
+        m = input;
+        continue;
+      }
+      QM::internal::Gp_execution execution(m, path);
+      Flat_mesh result = execution.execute(std::vector<char>(m.number_of_vertices(), 0));
+      ++done;
+      steps += static_cast<long>(path.size());
+      if(!QM::internal::is_valid_quad_mesh(result))
+      {
+        ++not_representable;
+        m = input;
+        continue;
+      }
+      const QM::Quad_mesh_structure after = QM::internal::structure_of_quad_mesh(result);
+      violations += after.inner_valences != before.inner_valences || after.boundary_valences != before.boundary_valences
+                 || after.euler_characteristic != before.euler_characteristic
+                 || after.number_of_boundary_loops != before.number_of_boundary_loops;
+      m = result.number_of_faces() * 3 < input.number_of_faces() ? input : std::move(result);
+    }
+  }
+  std::printf("\n%d operators, %.1f steps each, %.3f ms each with search and checks\n", done, double(steps) / done,
+              1000 * timer.time() / done);
+  std::printf("results with double edges, not executed: %d; violations: %d\n", not_representable, violations);
+  return violations == 0;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const int operators = argc > 1 ? std::atoi(argv[1]) : 90000;
+  if(operators < 1)
+  {
+    std::fprintf(stderr, "bench_structure: the number of operators must be at least 1\n");
+    return 2;
+  }
+  analysis_and_smoothing();
+  return random_operators(operators, argc > 2 ? std::atoi(argv[2]) : 1) ? 0 : 1;
+}

@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Tests of the room Parameterization: the elimination in integers, the cut graph, the preparation of the mesh,
+// integer-grid maps and their exact check.
+
+#undef NDEBUG
+#include "test_meshes.h"
+
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Cut_graph.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Integer_relations.h>
+
+#include <CGAL/Random.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <vector>
+
+namespace QM = CGAL::Quad_meshing;
+namespace parameters = CGAL::parameters;
+
+typedef test_meshes::Mesh Mesh;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+
+namespace {
+
+long value_of(const QM::internal::Integer_form& f, const std::vector<long>& x)
+{
+  long s = f.constant;
+  for(const auto& t : f.terms)
+    s += t.second * x[t.first];
+  return s;
+}
+
+// Whatever integers the free variables take, the equations hold; a system that has a solution in a small box is not
+// called contradictory, and one without any integer solution modulo a small number is.
+void test_integer_relations()
+{
+  CGAL::Random random(7);
+  const int n = 5;
+  int contradictions = 0;
+  for(int trial = 0; trial < 2000; ++trial)
+  {
+    QM::internal::Integer_relations relations(n);
+    std::vector<QM::internal::Integer_form> equations;
+    std::vector<long> known(n);
+    for(long& k : known)
+      k = random.get_int(-3, 4);
+    const bool solvable = trial % 4 != 0;
+    bool contradiction = false;
+    for(int e = 0; e < 3; ++e)
+    {
+      QM::internal::Integer_form f;
+      for(int i = 0; i < n; ++i)
+        if(random.get_int(0, 2) == 0)
+          f.add(QM::internal::Integer_form::variable(i, 1 + random.get_int(0, 6)), random.get_int(0, 2) == 0 ? 1 : -1);
+      f.constant = solvable ? static_cast<int>(-value_of(f, known)) : random.get_int(-5, 6);
+      equations.push_back(f);
+      contradiction = contradiction ||
+        relations.add_equation(f, [](int i) { return i % 2; }) == QM::internal::Integer_relations::CONTRADICTION;
+    }
+    if(solvable)
+      assert(!contradiction);
+    if(contradiction)
+    {
+      ++contradictions;
+      continue; // checked below by brute force over one equation at a time
+    }
+    std::vector<long> free(relations.number_of_variables());
+    for(long& x : free)
+      x = random.get_int(-9, 10);
+    std::vector<long> x(n);
+    for(int i = 0; i < n; ++i)
+      x[i] = value_of(relations.resolved(QM::internal::Integer_form::variable(i)), free);
+    for(const auto& f : equations)
+      assert(value_of(f, x) == 0);
+  }
+  assert(contradictions > 0);
+
+  // 2x + 4y = 1 has no integer solution, 3x + 5y = 1 has; 2x = 2y leaves one variable
+  QM::internal::Integer_relations a(2);
+  QM::internal::Integer_form f = QM::internal::Integer_form::variable(0, 2);
+  f.add(QM::internal::Integer_form::variable(1, 4));
+  f.constant = -1;
+  assert(a.add_equation(f, [](int) { return 0; }) == QM::internal::Integer_relations::CONTRADICTION);
+  f = QM::internal::Integer_form::variable(0, 3);
+  f.add(QM::internal::Integer_form::variable(1, 5));
+  f.constant = -1;
+  assert(a.add_equation(f, [](int) { return 0; }) == QM::internal::Integer_relations::REMOVED_A_VARIABLE);
+  assert(a.add_equation(f, [](int) { return 0; }) == QM::internal::Integer_relations::REDUNDANT);
+}
+
+QM::internal::Indexed_triangle_mesh indexed(const Mesh& tm)
+{
+  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+}
+
+// Opened along the cut, each component is a disk: Euler number 1 and one border loop; singular vertices lie on its border.
+void test_cut_graph(const Mesh& tm, const std::vector<int>& singular)
+{
+  const QM::internal::Indexed_triangle_mesh mesh = indexed(tm);
+  std::vector<bool> is_singular(mesh.number_of_vertices(), false);
+  for(int v : singular)
+    is_singular[v] = true;
+  const QM::internal::Cut_graph cut(mesh, is_singular);
+
+  std::vector<int> copies(mesh.number_of_vertices(), 0), euler(cut.number_of_components(), 0);
+  std::vector<int> component_of_vertex(mesh.number_of_vertices(), -1);
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    ++euler[cut.component_of_face()[f]];
+    for(int v : mesh.corners[f])
+      component_of_vertex[v] = cut.component_of_face()[f];
+  }
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    euler[cut.component_of_face()[mesh.halfedge_of_edge[e] / 3]] -= cut.is_cut()[e] ? 2 : 1;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    if(component_of_vertex[v] == -1)
+      continue;
+    int cuts = 0;
+    bool border = false;
+    const int start = mesh.halfedge_of_vertex[v];
+    int h = start;
+    do
+    {
+      cuts += cut.is_cut()[mesh.edge_of[h]];
+      border = border || mesh.opposite[h] == -1;
+      h = mesh.next_around_source(h);
+    }
+    while(h != -1 && h != start);
+    copies[v] = border ? cuts + 1 : (std::max)(cuts, 1);
+    euler[component_of_vertex[v]] += copies[v];
+    if(is_singular[v])
+      assert(cuts > 0 || border);
+  }
+  for(int e : euler)
+    assert(e == 1);
+}
+
+void test_preparation()
+{
+  // A cube with one square per side: every triangle has two or three sharp edges.
+  Mesh tm = test_meshes::make_mesh(test_meshes::cube(1));
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  auto origin = tm.add_property_map<Mesh::Face_index, int>("f:o", -1).first;
+  std::vector<Kernel::Triangle_3> triangles;
+  for(Mesh::Face_index f : tm.faces())
+  {
+    origin[f] = static_cast<int>(triangles.size());
+    const auto h = tm.halfedge(f);
+    triangles.emplace_back(tm.point(tm.source(h)), tm.point(tm.target(h)), tm.point(tm.target(tm.next(h))));
+  }
+  const double area = CGAL::Polygon_mesh_processing::area(tm);
+  assert(QM::detect_feature_edges(tm, 40, 0, is_feature).number_of_edges == 12);
+  QM::split_for_alignment(tm, tm.points(), is_feature, true, origin, 0.4);
+
+  assert(CGAL::is_triangle_mesh(tm) && CGAL::is_valid_polygon_mesh(tm));
+  assert(std::abs(CGAL::Polygon_mesh_processing::area(tm) - area) < 1e-12);
+  double feature_length = 0;
+  std::vector<bool> on_feature(tm.number_of_vertices(), false);
+  for(Mesh::Edge_index e : tm.edges())
+  {
+    const double l = std::sqrt(CGAL::squared_distance(tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1))));
+    assert(l <= 0.4);
+    if(is_feature[e])
+    {
+      feature_length += l;
+      on_feature[tm.vertex(e, 0)] = on_feature[tm.vertex(e, 1)] = true;
+    }
+  }
+  assert(std::abs(feature_length - 12) < 1e-12);
+  for(Mesh::Edge_index e : tm.edges())
+    assert(is_feature[e] || !(on_feature[tm.vertex(e, 0)] && on_feature[tm.vertex(e, 1)]));
+  for(Mesh::Face_index f : tm.faces())
+  {
+    int features = 0;
+    for(auto h : CGAL::halfedges_around_face(tm.halfedge(f), tm))
+    {
+      features += is_feature[tm.edge(h)];
+      assert(CGAL::squared_distance(tm.point(tm.target(h)), triangles[origin[f]]) < 1e-20);
+    }
+    assert(features <= 1);
+  }
+}
+
+// Creases that are noise at the scale of the quads are dropped, those of the model stay.
+void test_feature_filter()
+{
+  Mesh tm = test_meshes::make_mesh(test_meshes::cube(10));
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  assert(QM::detect_feature_edges(tm, 40, 0.1, is_feature).number_of_edges == 120);
+  assert(QM::detect_feature_edges(tm, 180, 0.1, is_feature).number_of_edges == 0);
+  // one vertex pulled out of a side: a spike, whose edges are sharp
+  for(Mesh::Vertex_index v : tm.vertices())
+    if(CGAL::squared_distance(tm.point(v), Kernel::Point_3(0.5, 0.5, 1)) < 1e-12)
+      tm.point(v) = Kernel::Point_3(0.5, 0.5, 1.2);
+  const QM::Feature_edges_result r = QM::detect_feature_edges(tm, 40, 0.1, is_feature);
+  assert(r.number_of_edges == 120 && r.number_of_dropped_edges > 0 && r.number_of_dropped_pieces > 0);
+  assert(std::abs(r.length - 12) < 1e-9);
+}
+
+struct Mapped
+{
+  Mesh tm;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
+  Mesh::Property_map<Mesh::Vertex_index, int> index;
+  Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv;
+  QM::Integer_grid_map_result result;
+};
+
+// Field and map of a mesh, prepared; the map must be valid, and the independent check must agree.
+Mapped map_of(const test_meshes::Soup& soup, double length, QM::Rounding_method method, const char* what)
+{
+  Mapped m;
+  m.tm = test_meshes::make_mesh(soup);
+  m.is_feature = m.tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  m.index = m.tm.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
+  m.uv = m.tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  auto origin = m.tm.add_property_map<Mesh::Face_index, int>("f:o", 0).first;
+  auto angle = m.tm.add_property_map<Mesh::Face_index, double>("f:a", 0).first;
+  auto jump = m.tm.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
+  QM::detect_feature_edges(m.tm, 40, length, m.is_feature);
+  QM::split_for_alignment(m.tm, m.tm.points(), m.is_feature, true, origin, 1.5 * length);
+  const QM::Cross_field_result field =
+    QM::smooth_cross_field(m.tm, angle, jump, m.index, parameters::target_edge_length(length).edge_is_constrained_map(m.is_feature));
+  assert(field.is_valid());
+  m.result = QM::integer_grid_map(m.tm, angle, jump, m.index, m.uv,
+                                  parameters::target_edge_length(length)
+                                    .edge_is_constrained_map(m.is_feature)
+                                    .rounding_method(method));
+  std::cout << what << ": " << m.result.message << " " << m.result.integers << " integers, energy "
+            << m.result.relaxed_energy << " -> " << m.result.energy << std::endl;
+  assert(m.result.is_valid());
+  assert(m.result.energy >= m.result.relaxed_energy - 1e-6 * std::abs(m.result.relaxed_energy) - 1e-9);
+  const auto report = QM::is_integer_grid_map(m.tm, m.uv, parameters::edge_is_constrained_map(m.is_feature));
+  assert(report.is_valid() && report);
+  return m;
+}
+
+double area_of_map(const Mapped& m)
+{
+  double area = 0;
+  for(Mesh::Face_index f : m.tm.faces())
+  {
+    const auto h = m.tm.halfedge(f);
+    area += CGAL::area(m.uv[m.tm.prev(h)], m.uv[h], m.uv[m.tm.next(h)]);
+  }
+  return area;
+}
+
+void test_maps()
+{
+  // A rectangle of 2 x 1 with quads of length 0.2: the map is the scaling, 50 quads, no distortion at all.
+  {
+    const Mapped m = map_of(test_meshes::grid(13, 7, 2, 1), 0.2, QM::GREEDY_ROUNDING, "rectangle");
+    assert(area_of_map(m) == 50);
+    assert(m.result.energy < 1e-12);
+    for(Mesh::Vertex_index v : m.tm.vertices())
+      assert(m.index[v] == (m.tm.degree(v) == 2 && m.tm.is_border(v) ? 1 : m.index[v]));
+  }
+  // The unit cube: six squares of 5 x 5.
+  assert(area_of_map(map_of(test_meshes::cube(6), 0.2, QM::GREEDY_ROUNDING, "cube")) == 150);
+  for(QM::Rounding_method method : { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
+  {
+    const double sphere = area_of_map(map_of(test_meshes::icosphere(3), 0.2, method, "sphere"));
+    assert(sphere == std::floor(sphere) && std::abs(sphere / (4 * std::acos(-1.) / 0.04) - 1) < 0.25);
+    map_of(test_meshes::torus(40, 20), 0.15, method, "torus");
+    map_of(test_meshes::grid_with_hole(12, 12, 4, 8, 4, 8), 0.07, method, "square with a hole");
+    map_of(test_meshes::double_ring(3), 0.25, method, "two rings");
+  }
+  map_of(test_meshes::two_components(5, 3), 0.25, QM::GREEDY_ROUNDING, "two components");
+  map_of(test_meshes::l_prism(4), 0.2, QM::GREEDY_ROUNDING, "L");
+  map_of(test_meshes::cylinder(24, 8, true), 0.25, QM::GREEDY_ROUNDING, "cylinder with caps");
+  map_of(test_meshes::sheared_cube(6), 0.1, QM::GREEDY_ROUNDING, "sheared cube");
+
+  // lattice rounding never ends above greedy rounding
+  const test_meshes::Soup ball = test_meshes::perturbed(test_meshes::icosphere(3), 0.05, 3);
+  const Mapped greedy = map_of(ball, 0.3, QM::GREEDY_ROUNDING, "rough ball, greedy");
+  const Mapped lattice = map_of(ball, 0.3, QM::LATTICE_ROUNDING, "rough ball, lattice");
+  if(greedy.result.separations == 0 && lattice.result.separations == 0)
+    assert(lattice.result.energy <= greedy.result.energy + 1e-9 * std::abs(greedy.result.energy));
+}
+
+// Each condition is broken alone, and the check names the simplex.
+void test_check()
+{
+  const Mapped good = map_of(test_meshes::cube(6), 0.2, QM::GREEDY_ROUNDING, "cube");
+  const auto check = [&](const Mapped& m) { return QM::is_integer_grid_map(m.tm, m.uv, parameters::edge_is_constrained_map(m.is_feature)); };
+  const Mesh::Face_index f = *good.tm.faces().begin();
+
+  Mapped m = good; // copies of property maps refer to the original mesh: work on the copy's own
+  m.uv = m.tm.property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  m.is_feature = m.tm.property_map<Mesh::Edge_index, bool>("e:f").first;
+  assert(check(m));
+  const Mesh::Halfedge_index h = m.tm.halfedge(f);
+  const Kernel::Point_2 p = m.uv[h];
+
+  m.uv[h] = Kernel::Point_2(p.x() + std::ldexp(1., -30), p.y()); // off its neighbours by a hair
+  auto report = check(m);
+  assert(!report && !report.edges_without_transition.empty());
+  for(Mesh::Edge_index e : report.edges_without_transition)
+    assert(m.tm.vertex(e, 0) == m.tm.target(h) || m.tm.vertex(e, 1) == m.tm.target(h));
+
+  m.uv[h] = m.uv[m.tm.next(h)]; // no area
+  report = check(m);
+  assert(report.folded_faces.size() == 1 && report.folded_faces[0] == f);
+
+  m.uv[h] = Kernel::Point_2(std::nan(""), 0);
+  report = check(m);
+  assert(report.faces_not_finite.size() == 1 && report.faces_not_finite[0] == f);
+  m.uv[h] = p;
+
+  for(Mesh::Halfedge_index g : m.tm.halfedges()) // everything moved by a half: singular vertices and features leave the grid
+    m.uv[g] = m.uv[g] + Kernel::Vector_2(0.5, 0);
+  report = check(m);
+  assert(report.folded_faces.empty());
+  assert(report.vertices_off_grid.size() == 8 && !report.edges_off_grid.empty());
+  std::cout << report.message() << std::endl;
+}
+
+void test_bad_input()
+{
+  Mesh tm = test_meshes::make_mesh(test_meshes::cube(2));
+  auto angle = tm.add_property_map<Mesh::Face_index, double>("f:a", 0).first;
+  auto jump = tm.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
+  auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
+  auto uv = tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  typedef QM::Integer_grid_map_result Result;
+  for(double length : { 0., -1., std::nan("") })
+    assert(QM::integer_grid_map(tm, angle, jump, index, uv, parameters::target_edge_length(length)).status == Result::INVALID_LENGTH);
+  Mesh empty;
+  auto a = empty.add_property_map<Mesh::Face_index, double>("f:a", 0).first;
+  auto j = empty.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
+  auto i = empty.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
+  auto u = empty.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  assert(QM::integer_grid_map(empty, a, j, i, u).status == Result::EMPTY_MESH);
+}
+
+} // namespace
+
+int main()
+{
+  test_integer_relations();
+  test_cut_graph(test_meshes::make_mesh(test_meshes::icosphere(2)), { 0, 5, 7, 100 });
+  test_cut_graph(test_meshes::make_mesh(test_meshes::torus(20, 10)), {});
+  test_cut_graph(test_meshes::make_mesh(test_meshes::torus(20, 10)), { 3, 77 });
+  test_cut_graph(test_meshes::make_mesh(test_meshes::double_ring(2)), { 1, 2, 3 });
+  test_cut_graph(test_meshes::make_mesh(test_meshes::grid_with_hole(8, 8, 3, 5, 3, 5)), { 11 });
+  test_cut_graph(test_meshes::make_mesh(test_meshes::cylinder(12, 5, false)), { 30 });
+  test_cut_graph(test_meshes::make_mesh(test_meshes::two_components(3, 2)), { 0, 150 });
+  test_preparation();
+  test_feature_filter();
+  test_maps();
+  test_check();
+  test_bad_input();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}

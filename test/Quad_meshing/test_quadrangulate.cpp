@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Tests of quadrangulate(): the whole line on generated meshes and, where CGAL's data are there, on a real one.
+
+#undef NDEBUG
+#include "quad_mesh_checks.h"
+#include "test_meshes.h"
+
+#include <CGAL/Quad_meshing/quadrangulate.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace QM = CGAL::Quad_meshing;
+namespace parameters = CGAL::parameters;
+
+typedef test_meshes::Mesh Mesh;
+typedef test_meshes::Kernel Kernel;
+typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+typedef QM::Quadrangulation_result Result;
+
+namespace {
+
+// Runs the line and checks what must hold of every valid result with the tests' own means.
+template <typename TriangleMesh>
+Mesh quads_of(const TriangleMesh& tm, double quads, const char* what, double tolerance = 0.25)
+{
+  Mesh qm;
+  const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(quads));
+  std::cout << what << ": " << r.message << " " << r.quads << " quads, " << r.irregular_vertices << " irregular vertices, "
+            << r.folded_quads << " folded" << std::endl;
+  assert(r.is_valid());
+  const auto before = quad_mesh_checks::figures(tm), after = quad_mesh_checks::figures(qm);
+  assert(after.is_valid() && after.is_simple());
+  assert(after.same_topology(before));
+  assert(after.index_sum() == 4 * before.euler());
+  assert(after.quads == r.quads && after.irregular_vertices() == r.irregular_vertices);
+  assert(std::abs(r.quads / quads - 1) < tolerance);
+  assert(r.flipped_triangles == 0 && r.input_faces == before.faces);
+  return qm;
+}
+
+double length_on_lines(const Mesh& qm, const std::function<bool(const Kernel::Point_3&)>& on_line)
+{
+  double length = 0;
+  for(Mesh::Edge_index e : qm.edges())
+  {
+    const auto p = qm.point(qm.vertex(e, 0)), q = qm.point(qm.vertex(e, 1));
+    if(on_line(p) && on_line(q) && on_line(CGAL::midpoint(p, q)))
+      length += std::sqrt(CGAL::squared_distance(p, q));
+  }
+  return length;
+}
+
+// The twelve edges of the unit cube are chains of quad edges.
+void test_features()
+{
+  const Mesh qm = quads_of(test_meshes::make_mesh(test_meshes::cube(7)), 600, "cube", 0.01);
+  auto extreme = [](double x) { return std::abs(x) < 1e-9 || std::abs(x - 1) < 1e-9; };
+  auto on_edge = [&](const Kernel::Point_3& p) { return extreme(p.x()) + extreme(p.y()) + extreme(p.z()) >= 2; };
+  assert(std::abs(length_on_lines(qm, on_edge) - 12) < 1e-9);
+}
+
+void test_border()
+{
+  const Mesh qm = quads_of(test_meshes::make_mesh(test_meshes::grid_with_hole(14, 14, 5, 9, 5, 9)), 500, "square with a hole");
+  double length = 0;
+  for(Mesh::Edge_index e : qm.edges())
+    if(qm.is_border(e))
+      length += std::sqrt(CGAL::squared_distance(qm.point(qm.vertex(e, 0)), qm.point(qm.vertex(e, 1))));
+  assert(std::abs(length - (4 + 4 * 4. / 14)) < 1e-9);
+}
+
+// Places on the input reproduce the points, with and without smoothing.
+void test_locations()
+{
+  const Mesh tm = test_meshes::make_mesh(test_meshes::icosphere(3));
+  for(unsigned int steps : { 0u, 10u })
+  {
+    Mesh qm;
+    auto location = qm.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
+    const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(300.)
+                                                 .number_of_relaxation_steps(steps).face_location_map(location));
+    assert(r.is_valid());
+    for(Mesh::Vertex_index v : qm.vertices())
+    {
+      const auto p = CGAL::Polygon_mesh_processing::construct_point(location[v], tm);
+      assert(CGAL::squared_distance(p, qm.point(v)) < 1e-12);
+    }
+  }
+}
+
+// The numbering of the input, its scale and the graph type must not change what comes out; neither may a second run.
+void test_invariance()
+{
+  const test_meshes::Soup soup = test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1);
+  const Mesh a = quads_of(test_meshes::make_mesh(soup), 400, "ball");
+  const Mesh b = quads_of(test_meshes::make_mesh(soup), 400, "ball again");
+  assert(a.number_of_faces() == b.number_of_faces());
+  for(Mesh::Vertex_index v : a.vertices())
+    assert(a.point(v) == b.point(v));
+  const Mesh large = quads_of(test_meshes::make_mesh(test_meshes::mapped(soup, [](const Kernel::Point_3& p)
+    { return Kernel::Point_3(1024 * p.x(), 1024 * p.y(), 1024 * p.z()); })), 400, "large ball");
+  assert(large.number_of_faces() == a.number_of_faces());
+  quads_of(test_meshes::make_mesh<Polyhedron>(soup), 400, "polyhedron");
+}
+
+void test_directions_and_features_of_the_user()
+{
+  Mesh tm = test_meshes::make_mesh(test_meshes::grid(20, 20));
+  auto direction = tm.add_property_map<Mesh::Face_index, boost::optional<Kernel::Vector_3> >("f:d").first;
+  for(Mesh::Face_index f : tm.faces())
+    direction[f] = Kernel::Vector_3(1, 1, 0);
+  Mesh qm;
+  const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(400.).align_boundary(false)
+                                               .face_direction_map(direction).number_of_relaxation_steps(0u));
+  std::cout << "diagonal directions: " << r.message << std::endl;
+  for(Mesh::Edge_index e : qm.edges())
+  {
+    const auto d = qm.point(qm.vertex(e, 1)) - qm.point(qm.vertex(e, 0));
+    assert(std::abs(std::abs(d.x()) - std::abs(d.y())) < 1e-6);
+  }
+
+  // the edges in the middle of a flat square, marked by the user
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  auto in_middle = [](const Kernel::Point_3& p) { return std::abs(p.x() - 0.5) < 1e-9; };
+  for(Mesh::Edge_index e : tm.edges())
+    is_feature[e] = in_middle(tm.point(tm.vertex(e, 0))) && in_middle(tm.point(tm.vertex(e, 1)));
+  Mesh split;
+  assert(QM::quadrangulate(tm, split, parameters::target_number_of_quads(121.).edge_is_constrained_map(is_feature)).is_valid());
+  assert(std::abs(length_on_lines(split, in_middle) - 1) < 1e-9);
+}
+
+struct Stops_at_once : QM::Default_visitor
+{
+  bool go_further() { return false; }
+};
+
+struct Counts_stages : QM::Default_visitor
+{
+  int begun = 0, ended = 0;
+  void on_stage_begin(const std::string&) { ++begun; }
+  void on_stage_end(const std::string&) { ++ended; }
+};
+
+void test_bad_input_and_stops()
+{
+  Mesh empty, qm;
+  assert(QM::quadrangulate(empty, qm).status == Result::INVALID_INPUT);
+  Mesh tm = test_meshes::make_mesh(test_meshes::cube(3));
+  for(double length : { -1., 100., 1e-9, std::nan("") })
+    assert(QM::quadrangulate(tm, qm, parameters::target_edge_length(length)).status == Result::INVALID_INPUT);
+  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(0.)).status == Result::INVALID_INPUT);
+  Stops_at_once stops;
+  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(stops))).status == Result::STOPPED);
+  assert(qm.number_of_faces() == 0);
+  Counts_stages counts;
+  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(counts))).is_valid());
+  assert(counts.begun >= 3 && counts.begun == counts.ended);
+  Mesh nan = tm;
+  nan.point(*nan.vertices().begin()) = Kernel::Point_3(std::nan(""), 0, 0);
+  Mesh none;
+  assert(QM::quadrangulate(nan, none).status == Result::INVALID_INPUT && none.number_of_faces() == 0);
+}
+
+void test_real_mesh()
+{
+  const std::string filename = CGAL::data_file_path("meshes/fandisk.off");
+  if(!std::ifstream(filename))
+  {
+    std::cout << "no fandisk.off: skipped" << std::endl;
+    return;
+  }
+  Mesh tm;
+  assert(CGAL::IO::read_polygon_mesh(filename, tm));
+  quads_of(tm, 3000, "fandisk");
+}
+
+} // namespace
+
+int main()
+{
+  test_features();
+  test_border();
+  quads_of(test_meshes::make_mesh(test_meshes::torus(40, 20)), 600, "torus");
+  quads_of(test_meshes::make_mesh(test_meshes::double_ring(3)), 800, "two rings");
+  quads_of(test_meshes::make_mesh(test_meshes::two_components(5, 3)), 700, "two components");
+  quads_of(test_meshes::make_mesh(test_meshes::cylinder(24, 8, false)), 400, "open cylinder");
+  test_locations();
+  test_invariance();
+  test_directions_and_features_of_the_user();
+  test_bad_input_and_stops();
+  test_real_mesh();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
