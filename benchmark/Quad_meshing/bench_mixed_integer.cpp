@@ -20,6 +20,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -116,6 +117,7 @@ void print(const char* name, const Solution& s, double factorization)
   if(s.nodes > 0)
     std::printf(", %.3g nodes", s.nodes);
   std::printf("\n");
+  std::fflush(stdout);
 }
 
 void run(const std::string& name, const Problem& problem)
@@ -155,7 +157,7 @@ void run(const std::string& name, const Problem& problem)
     for(double nodes : { 1e6, 3e7, 1e9 })
     {
       const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
-        .maximum_number_of_nodes(nodes).maximum_running_time(60.));
+        .maximum_number_of_nodes(nodes).maximum_running_time(20.));
       const std::string title = "lattice, " + std::to_string(static_cast<long>(nodes / 1e6)) + "e6 nodes";
       print(title.c_str(), s, factorization);
       if(s.status == Solution::OPTIMAL)
