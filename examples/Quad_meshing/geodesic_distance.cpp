@@ -309,8 +309,7 @@ int distances(int argc, char* argv[])
     Mesh refined;
     auto distance = refined.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
     const QM::Distance_refinement_result r =
-      QM::refine_distance_field(field, refined, distance, args.value<double>("refine"),
-                                params::maximum_number_of_faces(std::size_t(100000000)));
+      QM::refine_distance_field(field, refined, distance, args.value<double>("refine"));
     std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with " << r.number_of_faces << " faces\n";
     json.set("interpolation_error", r.error);
     json.set("refined_faces", r.number_of_faces);

@@ -94,9 +94,11 @@ int main(int argc, char* argv[])
 
     command_line::write_mesh(args.positional(1), qm);
     const bool valid = result.status == QM::Quad_structure_optimization_result::optimized
-                    && result.smoothing.quality_after.number_of_inverted_quads
-                         <= result.smoothing.quality_before.number_of_inverted_quads;
+                    && result.smoothing.quality_after.number_of_inverted_quads == 0;
     std::cout << result.message << std::endl;
+    if(!valid)
+      std::cerr << "optimize_quad_structure: " << result.smoothing.quality_after.number_of_inverted_quads
+                << " quads of the result are not convex" << std::endl;
 
     const QM::Quad_mesh_structure &before = result.structure_before, &after = result.structure_after;
     QM::Flat_json json;

@@ -50,7 +50,9 @@ public:
     const double slope = (db - da) / length;
     const auto look_at = [&](const W& w, double t)
     {
-      const double deviation = std::abs(w.distance(t) - (da + slope * t));
+      // Neither function grows faster than the way does. So rounding at the ends cannot count as an error,
+      // and an edge shorter than the tolerance needs no split.
+      const double deviation = (std::min)(std::abs(w.distance(t) - (da + slope * t)), 2 * (std::min)(t, length - t));
       if(deviation > worst.second)
         worst = std::make_pair(t / length, deviation);
     };
