@@ -62,11 +62,18 @@ public:
       return false;
     constant = energy.constant;
     relaxed_energy = reduction.energy(relaxed) + constant;
+    // Moving vertices alone is local and mostly enough; translations and grid lines reach far.
+    const Eigen::VectorXd start = relaxed;
+    stiffen(relaxed, coordinates.is_integer, stiffening_iterations, anisotropy);
+    if(optimization.untangle(relaxed, coordinates.is_integer))
+      return true;
     const std::vector<bool> all_free(coordinates.number_of_variables(), false);
-    stiffen(relaxed, all_free, stiffening_iterations, anisotropy);
-    // Moving vertices alone is local and nearly always enough; translations and grid lines reach far.
-    if(!optimization.untangle(relaxed, coordinates.is_integer))
-      optimization.untangle(relaxed, all_free, 3);
+    Eigen::VectorXd other = start;
+    stiffen(other, all_free, stiffening_iterations, anisotropy);
+    if(!optimization.untangle(other, coordinates.is_integer))
+      optimization.untangle(other, all_free, 3);
+    if(optimization.folded_faces(other).size() < optimization.folded_faces(relaxed).size())
+      relaxed = other;
     return true;
   }
 
@@ -227,14 +234,24 @@ private:
     Stiffening stiffening(coordinates, faces);
     Eigen::VectorXd z = y;
     std::size_t fewest = optimization.folded_faces(y).size();
+    std::vector<int> number(is_fixed.size(), -1), variables;
+    for(std::size_t i = 0; i < is_fixed.size(); ++i)
+      if(!is_fixed[i])
+      {
+        number[i] = static_cast<int>(variables.size());
+        variables.push_back(static_cast<int>(i));
+      }
+    Sparse_cholesky solver;
     for(unsigned int i = 0; i < iterations && fewest > 0; ++i)
     {
       stiffening.update_weights(z);
-      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy);
-      Integer_reduction stiffened;
-      if(!stiffened.factorize(energy.A, energy.b, is_fixed))
+      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy, number,
+                                      static_cast<int>(variables.size()), y);
+      if(!solver.factorize(energy.A)) // the pattern is analyzed the first time
         return;
-      z = stiffened.complete(stiffened.integers_of(y));
+      const Eigen::VectorXd free = solver.solve(energy.b);
+      for(std::size_t k = 0; k < variables.size(); ++k)
+        z[variables[k]] = free[k];
       const std::size_t n = optimization.folded_faces(z).size();
       if(n < fewest)
       {

@@ -14,6 +14,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -32,46 +34,76 @@ struct Orientation_energy
   // `weight` per face: the stiffening weights w; `anisotropy`: g, in (0, 1].
   Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
                      const std::vector<double>& weight, double anisotropy)
-    : A(coordinates.number_of_variables(), coordinates.number_of_variables()),
-      b(Eigen::VectorXd::Zero(coordinates.number_of_variables()))
+  {
+    std::vector<int> number(coordinates.number_of_variables());
+    std::iota(number.begin(), number.end(), 0);
+    assemble(coordinates, faces, weight, anisotropy, number, coordinates.number_of_variables(),
+             Eigen::VectorXd::Zero(coordinates.number_of_variables()));
+  }
+
+  // The same over some of the variables only: `number` gives their numbers, from 0 to n - 1, and -1 for the variables that
+  // keep their value in `x`.
+  Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
+                     const std::vector<double>& weight, double anisotropy, const std::vector<int>& number, int n,
+                     const Eigen::VectorXd& x)
+  {
+    assemble(coordinates, faces, weight, anisotropy, number, n, x);
+  }
+
+private:
+  void assemble(const Seamless_coordinates& coordinates, const Face_gradients& faces, const std::vector<double>& weight,
+                double anisotropy, const std::vector<int>& number, int n, const Eigen::VectorXd& x)
   {
     const Combed_charts& charts = coordinates.charts;
     const int nf = charts.mesh.number_of_faces();
+    A.resize(n, n);
+    b = Eigen::VectorXd::Zero(n);
     std::vector<Eigen::Triplet<double> > triplets;
     triplets.reserve(18 * static_cast<std::size_t>(nf));
-    std::vector<int> variables;
-    std::vector<double> row;
+    std::vector<int> variables, place(n, -1);
+    std::vector<std::array<double, 2> > row; // derivatives along u_T and v_T
     for(int f = 0; f < nf; ++f)
-      for(int c = 0; c < 2; ++c) // u and v do not mix inside a triangle, unless they share a variable
+      for(int c = 0; c < 2; ++c) // the two coordinates do not mix in the energy of a triangle
       {
         variables.clear();
+        row.clear();
+        std::array<double, 2> target = {{ c == 0 ? 1. : 0., c == 1 ? 1. : 0. }};
         for(int k = 0; k < 3; ++k)
           for(const Seamless_coordinates::Term& t : coordinates.coordinates[charts.wedge_of_corner[3 * f + k]][c])
-            if(std::find(variables.begin(), variables.end(), t.first) == variables.end())
-              variables.push_back(t.first);
-        for(int d = 0; d < 2; ++d) // derivative along u_T and v_T
-        {
-          const double w = weight[f] * faces.area[f] * (c == d ? anisotropy : 1.);
-          const double target = c == d ? 1. : 0.;
-          row.assign(variables.size(), 0.);
-          for(int k = 0; k < 3; ++k)
-            for(const Seamless_coordinates::Term& t : coordinates.coordinates[charts.wedge_of_corner[3 * f + k]][c])
-            {
-              const std::size_t i = std::find(variables.begin(), variables.end(), t.first) - variables.begin();
-              row[i] += t.second * faces.gradient[f](k, d);
-            }
-          for(std::size_t i = 0; i < row.size(); ++i)
           {
-            b[variables[i]] += 2 * w * row[i] * target;
-            for(std::size_t j = 0; j < row.size(); ++j)
-              triplets.emplace_back(variables[i], variables[j], 2 * w * row[i] * row[j]);
+            const int i = number[t.first];
+            if(i != -1 && place[i] == -1)
+            {
+              place[i] = static_cast<int>(variables.size());
+              variables.push_back(i);
+              row.push_back({{ 0., 0. }});
+            }
+            for(int d = 0; d < 2; ++d)
+              if(i == -1)
+                target[d] -= t.second * faces.gradient[f](k, d) * x[t.first];
+              else
+                row[place[i]][d] += t.second * faces.gradient[f](k, d);
           }
-          constant += w * target * target;
+        std::array<double, 2> w;
+        for(int d = 0; d < 2; ++d)
+        {
+          w[d] = weight[f] * faces.area[f] * (c == d ? anisotropy : 1.);
+          constant += w[d] * target[d] * target[d];
         }
+        for(std::size_t i = 0; i < row.size(); ++i)
+        {
+          b[variables[i]] += 2 * (w[0] * row[i][0] * target[0] + w[1] * row[i][1] * target[1]);
+          for(std::size_t j = 0; j < row.size(); ++j)
+            triplets.emplace_back(variables[i], variables[j],
+                                  2 * (w[0] * row[i][0] * row[j][0] + w[1] * row[i][1] * row[j][1]));
+        }
+        for(int i : variables)
+          place[i] = -1;
       }
     A.setFromTriplets(triplets.begin(), triplets.end());
   }
 
+public:
   double value(const Eigen::VectorXd& x) const { return 0.5 * x.dot(A * x) - x.dot(b) + constant; }
 };
 
