@@ -245,7 +245,7 @@ private:
   {
     typedef Quadrangulation_result Result;
     struct Attempt { double relative_length; bool other_method; };
-    static const Attempt attempts[] = { { 1, false }, { 1, true }, { 0.96, false }, { 0.92, false }, { 1.04, false } };
+    static const Attempt attempts[] = { { 1, false }, { 1, true }, { 0.96, false } };
     std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
     auto best_uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:best_uv").first;
     for(const Attempt& attempt : attempts)
