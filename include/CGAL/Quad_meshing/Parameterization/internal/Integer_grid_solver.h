@@ -78,7 +78,7 @@ public:
   }
 
   // Chooses the integers: the least energy that the method finds, then again with a demand on every two things that
-  // were rounded onto each other, until there are none or no demand is left to be made.
+  // were rounded onto each other, until there are none or no demand is left to be made. Demands that contradict earlier ones are ignored.
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
     const Separations separations(coordinates, grid_points(), is_aligned, relaxed);
@@ -90,7 +90,7 @@ public:
     problem.set_energy(reduction.S.sparseView(), reduction.c);
     for(std::size_t i = 0; i < reduction.integers.size(); ++i)
       problem.set_integer(static_cast<int>(i));
-    std::vector<bool> demanded(separations.list.size(), false);
+    std::vector<int> demands(separations.list.size(), 0); // of the main coordinate, then of the other one
     bool added = true;
     while(added)
     {
@@ -103,11 +103,14 @@ public:
         if(separation.holds(x))
           continue;
         ++number_of_broken_separations;
-        if(demanded[i])
+        if(demands[i] == 2)
           continue;
-        demanded[i] = added = true;
-        ++number_of_separations;
-        const int c = separation.dominant();
+        const int c = demands[i] == 0 ? separation.dominant() : 1 - separation.dominant();
+        number_of_separations += demands[i] == 0;
+        ++demands[i];
+        added = true;
+        if(separation.offset[c].terms.empty())
+          continue;
         Mixed_integer_problem::Linear_form form;
         for(const Integer_form::Term& t : separation.offset[c].terms)
           form.emplace_back(number[t.first], t.second);
