@@ -209,7 +209,7 @@ void test_feature_filter()
   for(Mesh::Vertex_index v : tm.vertices())
     if(CGAL::squared_distance(tm.point(v), Kernel::Point_3(0.5, 0.5, 1)) < 1e-12)
       tm.point(v) = Kernel::Point_3(0.5, 0.5, 1.2);
-  const QM::Feature_edges_result r = QM::detect_feature_edges(tm, 40, 0.1, is_feature);
+  const QM::Feature_edges_result r = QM::detect_feature_edges(tm, 40, 0.5, is_feature);
   assert(r.number_of_edges == 120 && r.number_of_dropped_edges > 0 && r.number_of_dropped_pieces > 0);
   assert(std::abs(r.length - 12) < 1e-9);
 }

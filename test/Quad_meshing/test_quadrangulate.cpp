@@ -50,7 +50,10 @@ Mesh quads_of(const TriangleMesh& tm, double quads, const char* what, double tol
   assert(after.is_valid() && after.is_simple());
   assert(after.same_topology(before));
   assert(after.index_sum() == 4 * before.euler());
-  assert(after.quads == r.quads && after.irregular_vertices() == r.irregular_vertices);
+  std::size_t irregular = after.irregular_vertices(); // inside; on the border three edges are regular
+  for(const auto& v : after.border_valences)
+    irregular += v.first != 3 ? v.second : 0;
+  assert(after.quads == r.quads && irregular == r.irregular_vertices);
   assert(std::abs(r.quads / quads - 1) < tolerance);
   assert(r.flipped_triangles == 0 && r.input_faces == before.faces);
   return qm;
