@@ -252,6 +252,7 @@ Mapped map_of(const test_meshes::Soup& soup, double length, QM::Rounding_method 
   return m;
 }
 
+// The number of quads of a map whose border lies on grid lines; the area is an integer up to the rounding of the sum.
 double area_of_map(const Mapped& m)
 {
   double area = 0;
@@ -260,7 +261,8 @@ double area_of_map(const Mapped& m)
     const auto h = m.tm.halfedge(f);
     area += CGAL::area(m.uv[m.tm.prev(h)], m.uv[h], m.uv[m.tm.next(h)]);
   }
-  return area;
+  assert(std::abs(area - std::round(area)) < 1e-6);
+  return std::round(area);
 }
 
 void test_maps()
@@ -278,7 +280,7 @@ void test_maps()
   for(QM::Rounding_method method : { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
   {
     const double sphere = area_of_map(map_of(test_meshes::icosphere(3), 0.2, method, "sphere"));
-    assert(sphere == std::floor(sphere) && std::abs(sphere / (4 * std::acos(-1.) / 0.04) - 1) < 0.25);
+    assert(std::abs(sphere / (4 * std::acos(-1.) / 0.04) - 1) < 0.25);
     map_of(test_meshes::torus(40, 20), 0.15, method, "torus");
     map_of(test_meshes::grid_with_hole(12, 12, 4, 8, 4, 8), 0.07, method, "square with a hole");
     map_of(test_meshes::double_ring(3), 0.25, method, "two rings");
