@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Moves the free variables of a seamless map so that no triangle is folded over, then so that the distortion falls.
+// Moves the free variables of a seamless map so that no triangle is folded over.
 //
 // The variables are those of `Seamless_coordinates`, so transitions, grid points and grid lines stay what they are, whatever
 // the moves. Newton steps with element Hessians made positive semi-definite; epsilon of the regularized
@@ -94,13 +94,6 @@ public:
       bad = folded_faces(x);
     }
     return false;
-  }
-
-  // Lowers the distortion of a map without fold-overs everywhere.
-  void improve(Eigen::VectorXd& x, const std::vector<bool>& is_fixed, int steps)
-  {
-    restrict_to(std::vector<bool>(mesh.number_of_vertices(), true), is_fixed);
-    minimize(x, steps, false);
   }
 
 private:

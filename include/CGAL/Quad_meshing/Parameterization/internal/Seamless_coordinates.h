@@ -96,30 +96,6 @@ public:
     return s;
   }
 
-  // The difference of two points of the grid plane as a linear form, for the vector from the wedge
-  // `from` to the wedge `to` (in the same disk, or of adjacent faces without a cut between).
-  std::array<std::vector<Term>, 2> difference(int to, int from) const
-  {
-    std::array<std::vector<Term>, 2> d;
-    for(int c = 0; c < 2; ++c)
-    {
-      d[c] = coordinates[to][c];
-      for(const Term& t : coordinates[from][c])
-      {
-        bool found = false;
-        for(Term& s : d[c])
-          if(s.first == t.first)
-          {
-            s.second -= t.second;
-            found = true;
-          }
-        if(!found)
-          d[c].push_back(Term(t.first, -t.second));
-      }
-    }
-    return d;
-  }
-
 private:
   typedef std::array<Integer_form, 2> Form_2;
 
