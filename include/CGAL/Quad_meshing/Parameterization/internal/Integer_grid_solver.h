@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Map_optimization.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Orientation_energy.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Separated_rounding.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Separations.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
@@ -77,85 +78,60 @@ public:
     return true;
   }
 
-  // Chooses the integers: the least energy that the method finds, then again with a demand on every two things that
-  // were rounded onto each other, until there are none or no demand is left to be made. Demands that contradict earlier ones are ignored.
+  // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds, changed
+  // where two things were rounded onto each other. Then the seamless map is carried to the integers without ever
+  // folding; where that gets stuck, things have come together that seemed to be far enough from each other: the integers
+  // are changed there too, and so on.
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
-    const Separations separations(coordinates, grid_points(), is_aligned, relaxed);
     std::vector<int> number(coordinates.number_of_variables(), -1);
     for(std::size_t i = 0; i < reduction.integers.size(); ++i)
       number[reduction.integers[i]] = static_cast<int>(i);
-
     Mixed_integer_problem problem(static_cast<int>(reduction.integers.size()));
     problem.set_energy(reduction.S.sparseView(), reduction.c);
     for(std::size_t i = 0; i < reduction.integers.size(); ++i)
       problem.set_integer(static_cast<int>(i));
-    std::vector<int> demands(separations.list.size(), 0); // of the main coordinate, then of the other one
-    bool added = true;
-    while(added)
+    Eigen::VectorXd z = solve_mixed_integer(problem, parameters::rounding_method(method)).x;
+
+    Separations separations(coordinates, grid_points(), is_aligned, relaxed);
+    Separated_rounding separated(reduction.S, reduction.c, number);
+    const bool can_be_carried = optimization.folded_faces(relaxed).empty();
+    const Eigen::VectorXd start = reduction.complete(reduction.integers_of(relaxed));
+    const int most_attempts = 8;
+    std::size_t known = 0;
+    for(int attempt = 0; attempt == 0 || (attempt < most_attempts && separations.list.size() > known); ++attempt)
     {
-      x = reduction.complete(solve_mixed_integer(problem, parameters::rounding_method(method)).x);
-      added = false;
-      number_of_broken_separations = 0;
-      for(std::size_t i = 0; i < separations.list.size(); ++i)
+      known = separations.list.size();
+      separated.add(separations.list);
+      number_of_broken_separations = separated.improve(z);
+      x = reduction.complete(z);
+      if(!can_be_carried)
+        break;
+      Eigen::VectorXd y = relaxed;
+      is_carried = optimization.carry(y, x - start, coordinates.is_integer);
+      if(is_carried)
       {
-        const Separations::Separation& separation = separations.list[i];
-        if(separation.holds(x))
-          continue;
-        ++number_of_broken_separations;
-        if(demands[i] == 2)
-          continue;
-        const int c = demands[i] == 0 ? separation.dominant() : 1 - separation.dominant();
-        number_of_separations += demands[i] == 0;
-        ++demands[i];
-        added = true;
-        if(separation.offset[c].terms.empty())
-          continue;
-        Mixed_integer_problem::Linear_form form;
-        for(const Integer_form::Term& t : separation.offset[c].terms)
-          form.emplace_back(number[t.first], t.second);
-        problem.add_equality_constraint(form, separation.wanted[c] > 0 ? 1 : -1);
+        x = with_integers_of(x, y);
+        break;
       }
+std::cerr<<"attempt "<<attempt<<" known "<<separations.list.size()<<" broken "<<number_of_broken_separations<<" stuck "<<(reduction.integers_of(y)-reduction.integers_of(x)).cwiseAbs().maxCoeff()<<std::endl;
+      separations.discover(y);
     }
-    rounded_energy = reduction.energy(x) + constant;
+    number_of_separations = static_cast<int>(separations.list.size());
+    rounded_energy = reduction.energy(reduction.complete(z)) + constant;
   }
 
-  // With the integers fixed. The map without integer conditions has no fold-overs; it is carried along by the smooth displacement that
-  // the integers impose, which folds less than the map of least energy does. Stiffening and moving vertices
-  // mend the rest; if that is not enough, the displacement is done in steps, each of which is mended.
+  // With the integers fixed, for a map that could not be carried to them: stiffening and moving vertices.
   void remove_fold_overs(unsigned int stiffening_iterations, double anisotropy)
   {
-    const Eigen::VectorXd rounded = x;
-    const Eigen::VectorXd displacement = rounded - reduction.complete(reduction.integers_of(relaxed));
-    auto displaced = [&](Eigen::VectorXd y, double share)
-    {
-      y += share * displacement;
-      return y;
-    };
-    auto with_exact_integers = [&](Eigen::VectorXd y)
-    {
-      for(int i : reduction.integers)
-        y[i] = rounded[i];
-      return y;
-    };
-    const Eigen::VectorXd carried = with_exact_integers(displaced(relaxed, 1));
-    if(optimization.folded_faces(carried).size() < optimization.folded_faces(rounded).size())
+    if(is_carried)
+      return;
+    const Eigen::VectorXd carried =
+      with_integers_of(x, relaxed + x - reduction.complete(reduction.integers_of(relaxed)));
+    if(optimization.folded_faces(carried).size() < optimization.folded_faces(x).size())
       x = carried;
     stiffen(x, coordinates.is_integer, stiffening_iterations, anisotropy);
-    if(optimization.untangle(x, coordinates.is_integer))
-      return;
-    const int steps = 8;
-    Eigen::VectorXd y = relaxed;
-    for(int i = 0; i < steps; ++i)
-    {
-      y = displaced(y, 1. / steps);
-      if(i + 1 == steps)
-        y = with_exact_integers(y);
-      optimization.untangle(y, coordinates.is_integer, 3);
-    }
-    optimization.untangle(y, coordinates.is_integer);
-    if(optimization.folded_faces(y).size() < optimization.folded_faces(x).size())
-      x = y;
+    optimization.untangle(x, coordinates.is_integer);
   }
 
   // The vertices that lie on grid points whatever the real variables are: singular ones, and those where aligned
@@ -229,6 +205,14 @@ private:
   Map_optimization optimization;
   Integer_reduction reduction;
   double constant = 0;
+  bool is_carried = false;
+
+  Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const
+  {
+    for(int i : reduction.integers)
+      z[i] = y[i];
+    return z;
+  }
 
   // Weights the energy anew and minimizes it over the variables that are not fixed, as long as there are fold-overs; `y` becomes
   // the map with the fewest, for more weight can make things worse.

@@ -96,6 +96,50 @@ public:
     return false;
   }
 
+  // Adds a displacement of all variables to a map without fold-overs, in steps of which none folds a triangle. After each, the
+  // triangles that stopped it get room by moving the variables around them that `is_fixed` does not hold. As no triangle is ever
+  // folded over, no image can come to wind around a vertex a wrong number of times.
+  // Returns whether the whole displacement was made; `x` is free of fold-overs in any case.
+  bool carry(Eigen::VectorXd& x, const Eigen::VectorXd& displacement, const std::vector<bool>& is_fixed)
+  {
+    const double safe_share = 0.8;
+    const int newton_steps = 10;
+    // Enough progress in so many steps, or more variables must give way.
+    const double least_progress = 0.05, least_relative_progress = 0.25;
+    const int patience = 8;
+    double remaining = 1, remaining_before = 1;
+    std::vector<double> room(mesh.number_of_faces());
+    int rings = 3;
+    const double least_remaining = 1e-6; // where this is too much, faces collapse at the end of the displacement
+    for(int steps = 0; rings <= 12 && remaining > least_remaining; ++steps)
+    {
+      if(steps > 0 && steps % patience == 0)
+      {
+        if(remaining_before - remaining < (std::min)(least_progress, least_relative_progress * remaining_before))
+          rings *= 2;
+        remaining_before = remaining;
+      }
+      double least_room = (std::numeric_limits<double>::max)();
+      for(int f = 0; f < mesh.number_of_faces(); ++f)
+        least_room = (std::min)(least_room, room[f] = room_of(f, x, displacement));
+      if(least_room > remaining)
+      {
+        x += remaining * displacement;
+        return true;
+      }
+      const double step = safe_share * least_room;
+      x += step * displacement;
+      remaining -= step;
+      std::vector<int> narrow;
+      for(int f = 0; f < mesh.number_of_faces(); ++f)
+        if(room[f] < (std::min)(remaining, 4 * least_room))
+          narrow.push_back(f);
+      restrict_to(vertices_around(narrow, rings), is_fixed);
+      minimize(x, newton_steps, false);
+    }
+    return false;
+  }
+
 private:
   const Seamless_coordinates& coordinates;
   const Indexed_triangle_mesh& mesh;
@@ -110,6 +154,27 @@ private:
   double determinant(int f, const Eigen::VectorXd& x) const
   {
     return faces.jacobian(f, corner_coordinates(coordinates, f, x)).determinant();
+  }
+
+  // The multiple of a displacement at which a face collapses: the least positive root of its determinant.
+  double room_of(int f, const Eigen::VectorXd& x, const Eigen::VectorXd& displacement) const
+  {
+    const Eigen::Matrix2d J = faces.jacobian(f, corner_coordinates(coordinates, f, x));
+    const Eigen::Matrix2d D = faces.jacobian(f, corner_coordinates(coordinates, f, displacement));
+    const double a = D.determinant(), c = J.determinant();
+    const double b = J(0, 0) * D(1, 1) + J(1, 1) * D(0, 0) - J(0, 1) * D(1, 0) - J(1, 0) * D(0, 1);
+    const double never = (std::numeric_limits<double>::max)();
+    // a t^2 + b t + c with c > 0, its roots in the form that does not cancel
+    const double discriminant = b * b - 4 * a * c;
+    if(discriminant < 0)
+      return never;
+    const double q = -0.5 * (b + (b > 0 ? std::sqrt(discriminant) : -std::sqrt(discriminant)));
+    const double first = q != 0 ? c / q : never, second = a != 0 ? q / a : never;
+    double least = never;
+    for(double t : { first, second })
+      if(t > 0)
+        least = (std::min)(least, t);
+    return least;
   }
 
   std::vector<int> faces_below(const Eigen::VectorXd& x, double least_determinant) const

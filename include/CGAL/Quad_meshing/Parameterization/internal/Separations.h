@@ -29,7 +29,7 @@ namespace internal {
 // Which grid points and grid lines of a seamless map lie so near to each other that rounding may put them onto
 // each other, or change their order, and what to demand of the integers so that it does not.
 //
-// The map must have no fold-overs (it need not be rounded yet). From every vertex that has to become a grid point the
+// The map must have no fold-overs (it need not be rounded). From every vertex that has to become a grid point the
 // faces within a small box are unfolded into its chart; other such vertices and aligned edges met there give
 // separations. From every aligned edge a ray runs into the surface at a right angle; the first aligned edge that it
 // meets gives one more. Aligned edges end the search: what lies behind is kept apart through them.
@@ -40,7 +40,7 @@ public:
   struct Separation
   {
     std::array<Integer_form, 2> offset; // an empty form: this coordinate does not count
-    std::array<double, 2> wanted;       // its value in the given map
+    std::array<double, 2> wanted;       // its value in the reference map
 
     template <typename Vector>
     bool holds(const Vector& x) const
@@ -73,11 +73,19 @@ public:
 
   std::vector<Separation> list;
 
+  // `reference` is the map in which all things lie in the right order.
   Separations(const Seamless_coordinates& coordinates, const std::vector<bool>& is_grid_point,
-              const std::vector<bool>& is_aligned, const Eigen::VectorXd& x)
+              const std::vector<bool>& is_aligned, const Eigen::VectorXd& reference)
     : coordinates(coordinates), charts(coordinates.charts), mesh(coordinates.charts.mesh),
-      is_grid_point(is_grid_point), is_aligned(is_aligned), x(x)
+      is_grid_point(is_grid_point), is_aligned(is_aligned), reference(reference)
   {
+    discover(reference);
+  }
+
+  // Adds what lies near to each other in another map.
+  void discover(const Eigen::VectorXd& map)
+  {
+    x = map;
     reached_from.assign(mesh.number_of_faces(), -1);
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
       if(is_grid_point[v] && mesh.halfedge_of_vertex[v] != -1)
@@ -101,9 +109,10 @@ private:
   const Seamless_coordinates& coordinates;
   const Combed_charts& charts;
   const Indexed_triangle_mesh& mesh;
-  const std::vector<bool>& is_grid_point;
+  const std::vector<bool> is_grid_point;
   const std::vector<bool>& is_aligned;
-  const Eigen::VectorXd& x;
+  const Eigen::VectorXd reference;
+  Eigen::VectorXd x;
   std::vector<int> reached_from; // per face
 
   // In grid units. Rounding moves a difference of two coordinates by about half a unit, seldom by more than one.
@@ -172,13 +181,15 @@ private:
     return frame;
   }
 
-  void add(const Form_2& offset, int coordinates_that_count, const std::array<double, 2>& wanted)
+  void add(const Form_2& offset, int coordinates_that_count)
   {
     Separation s;
-    s.wanted = wanted;
     for(int c = 0; c < 2; ++c)
+    {
+      s.wanted[c] = evaluate(offset[c], reference);
       if((coordinates_that_count >> c) & 1)
         s.offset[c] = offset[c];
+    }
     for(const Separation& known : list)
       if(known.offset[0].terms == s.offset[0].terms && known.offset[1].terms == s.offset[1].terms)
         return;
@@ -211,7 +222,7 @@ private:
         q[k] = position(p[k]);
         const int w = mesh.corners[frame.face][k];
         if(w != v && is_grid_point[w] && std::abs(q[k][0]) < reach && std::abs(q[k][1]) < reach)
-          add(p[k], 3, q[k]);
+          add(p[k], 3);
       }
       for(int k = 0; k < 3; ++k)
       {
@@ -221,7 +232,7 @@ private:
           const int c = (coordinates.constant_coordinate(g) + frame.rotation) & 1; // the constant one, seen from v
           const double a = q[k][1 - c], b = q[l][1 - c];
           if((std::min)(a, b) < 0 && (std::max)(a, b) > 0 && std::abs(q[k][c]) < reach)
-            add(p[k], 1 << c, q[k]);
+            add(p[k], 1 << c);
           continue;
         }
         if(mesh.opposite[g] == -1 || reached_from[mesh.opposite[g] / 3] == v)
@@ -259,7 +270,7 @@ private:
       {
         const int c = (coordinates.constant_coordinate(exit) + frame.rotation) & 1;
         if(c == away && std::abs(q[away]) < reach)
-          add(p, 1 << away, q);
+          add(p, 1 << away);
         return;
       }
       if(mesh.opposite[exit] == -1 || (std::min)(std::abs(q[away]), std::abs(r[away])) > reach)
