@@ -238,25 +238,21 @@ private:
     return true;
   }
 
-  // Other integers may leave room where the first ones do not: the second attempt chooses them by another method, further
-  // ones for slightly different lengths.
+  // A slightly different length may leave room where the first one does not.
   template <typename Visitor>
   bool compute_map(Visitor& visitor, Quadrangulation_result& result)
   {
     typedef Quadrangulation_result Result;
-    struct Attempt { double relative_length; bool other_method; };
-    static const Attempt attempts[] = { { 1, false }, { 1, true }, { 0.96, false } };
     std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
     auto best_uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:best_uv").first;
-    for(const Attempt& attempt : attempts)
+    for(double relative_length : { 1., 0.96 })
     {
-      const Rounding_method other = rounding_method == LATTICE_ROUNDING ? GREEDY_ROUNDING : LATTICE_ROUNDING;
       const Integer_grid_map_result map =
         integer_grid_map(mesh, angle, period_jump, index, uv,
-                         parameters::target_edge_length(attempt.relative_length * length)
+                         parameters::target_edge_length(relative_length * length)
                            .edge_is_constrained_map(is_feature)
                            .align_boundary(align_boundary)
-                           .rounding_method(attempt.other_method ? other : rounding_method)
+                           .rounding_method(rounding_method)
                            .anisotropy_weight(anisotropy_weight)
                            .visitor(std::ref(visitor)));
       ++result.parameterization_attempts;
@@ -274,7 +270,7 @@ private:
         result.parameterization_energy = map.energy;
         result.relaxed_parameterization_energy = map.relaxed_energy;
         result.flipped_triangles = fewest;
-        result.target_edge_length = attempt.relative_length * length;
+        result.target_edge_length = relative_length * length;
       }
       if(fewest == 0)
         break;

@@ -63,16 +63,13 @@ public:
       return false;
     constant = energy.constant;
     relaxed_energy = reduction.energy(relaxed) + constant;
-    // Moving vertices alone is local and mostly enough; translations and grid lines reach far.
+    // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a stiffer map.
     const Eigen::VectorXd start = relaxed;
-    stiffen(relaxed, coordinates.is_integer, stiffening_iterations, anisotropy);
-    if(optimization.untangle(relaxed, coordinates.is_integer))
+    if(untangle_seamless(relaxed))
       return true;
-    const std::vector<bool> all_free(coordinates.number_of_variables(), false);
     Eigen::VectorXd other = start;
-    stiffen(other, all_free, stiffening_iterations, anisotropy);
-    if(!optimization.untangle(other, coordinates.is_integer))
-      optimization.untangle(other, all_free, 3);
+    stiffen(other, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations, anisotropy);
+    untangle_seamless(other);
     if(optimization.folded_faces(other).size() < optimization.folded_faces(relaxed).size())
       relaxed = other;
     return true;
@@ -114,7 +111,6 @@ public:
         x = with_integers_of(x, y);
         break;
       }
-std::cerr<<"attempt "<<attempt<<" known "<<separations.list.size()<<" broken "<<number_of_broken_separations<<" stuck "<<(reduction.integers_of(y)-reduction.integers_of(x)).cwiseAbs().maxCoeff()<<std::endl;
       separations.discover(y);
     }
     number_of_separations = static_cast<int>(separations.list.size());
@@ -206,6 +202,13 @@ private:
   Integer_reduction reduction;
   double constant = 0;
   bool is_carried = false;
+
+  bool untangle_seamless(Eigen::VectorXd& y)
+  {
+    const int most_rings = 3;
+    return optimization.untangle(y, coordinates.is_integer) ||
+           optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), most_rings);
+  }
 
   Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const
   {

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_MAP_OPTIMIZATION_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Element_sum.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Regularized_distortion.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
@@ -431,9 +432,9 @@ private:
   void assemble(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const
   {
     gradient = Eigen::VectorXd::Zero(variables.size());
-    std::vector<Eigen::Triplet<double> > triplets;
-    triplets.reserve(36 * active.size());
-    std::vector<int> local;
+    Element_sum sum(coordinates, number, static_cast<int>(variables.size()), 36 * active.size());
+    double trace = 0;
+    std::vector<int> local, place(variables.size(), -1);
     Eigen::MatrixXd B, HB, lH; // B: d (J00, J01, J10, J11) / d local variables
     for(int f : active)
     {
@@ -441,15 +442,18 @@ private:
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
           for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + k]][c])
-            if(number[t.first] != -1 && std::find(local.begin(), local.end(), number[t.first]) == local.end())
+            if(number[t.first] != -1 && place[number[t.first]] == -1)
+            {
+              place[number[t.first]] = static_cast<int>(local.size());
               local.push_back(number[t.first]);
+            }
       B.setZero(4, local.size());
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
           for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + k]][c])
             if(number[t.first] != -1)
             {
-              const auto i = std::find(local.begin(), local.end(), number[t.first]) - local.begin();
+              const int i = place[number[t.first]];
               B(2 * c, i) += t.second * faces.gradient[f](k, 0);
               B(2 * c + 1, i) += t.second * faces.gradient[f](k, 1);
             }
@@ -462,20 +466,14 @@ private:
       {
         gradient[local[i]] += weight[f] * B.col(i).dot(g);
         for(std::size_t j = 0; j < local.size(); ++j)
-          triplets.emplace_back(local[i], local[j], lH(i, j));
+          sum.add(local[i], local[j], lH(i, j));
+        trace += lH(i, i);
+        place[local[i]] = -1;
       }
     }
     // Keeps the matrix definite where an element Hessian has nothing to say.
     const double relative_regularization = 1e-10;
-    double trace = 0;
-    for(const auto& t : triplets)
-      if(t.row() == t.col())
-        trace += t.value();
-    const double shift = relative_regularization * trace / (std::max)(std::size_t(1), variables.size());
-    for(std::size_t i = 0; i < variables.size(); ++i)
-      triplets.emplace_back(static_cast<int>(i), static_cast<int>(i), shift);
-    hessian.resize(variables.size(), variables.size());
-    hessian.setFromTriplets(triplets.begin(), triplets.end());
+    hessian = sum.matrix(relative_regularization * trace / (std::max)(std::size_t(1), variables.size()));
   }
 
   void minimize(Eigen::VectorXd& x, int steps, bool regularize)

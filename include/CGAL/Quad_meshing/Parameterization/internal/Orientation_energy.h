@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_ORIENTATION_ENERGY_H
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_ORIENTATION_ENERGY_H
 
+#include <CGAL/Quad_meshing/Parameterization/internal/Element_sum.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
 
@@ -56,10 +57,8 @@ private:
   {
     const Combed_charts& charts = coordinates.charts;
     const int nf = charts.mesh.number_of_faces();
-    A.resize(n, n);
     b = Eigen::VectorXd::Zero(n);
-    std::vector<Eigen::Triplet<double> > triplets;
-    triplets.reserve(18 * static_cast<std::size_t>(nf));
+    Element_sum sum(coordinates, number, n, 18 * static_cast<std::size_t>(nf));
     std::vector<int> variables, place(n, -1);
     std::vector<std::array<double, 2> > row; // derivatives along u_T and v_T
     for(int f = 0; f < nf; ++f)
@@ -94,13 +93,12 @@ private:
         {
           b[variables[i]] += 2 * (w[0] * row[i][0] * target[0] + w[1] * row[i][1] * target[1]);
           for(std::size_t j = 0; j < row.size(); ++j)
-            triplets.emplace_back(variables[i], variables[j],
-                                  2 * (w[0] * row[i][0] * row[j][0] + w[1] * row[i][1] * row[j][1]));
+            sum.add(variables[i], variables[j], 2 * (w[0] * row[i][0] * row[j][0] + w[1] * row[i][1] * row[j][1]));
         }
         for(int i : variables)
           place[i] = -1;
       }
-    A.setFromTriplets(triplets.begin(), triplets.end());
+    A = sum.matrix();
   }
 
 public:

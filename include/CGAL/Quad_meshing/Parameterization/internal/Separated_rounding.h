@@ -72,7 +72,7 @@ public:
     }
     Eigen::VectorXd best = z;
     int fewest = violated();
-    const int most_steps = 3000;
+    const int most_steps = 1000;
     for(int step = 0; step < most_steps; ++step)
     {
       const Move move = best_move();
