@@ -18,6 +18,7 @@
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Cut_graph.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_relations.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -229,6 +231,8 @@ struct Mapped
 {
   Mesh tm;
   Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
+  Mesh::Property_map<Mesh::Face_index, double> angle;
+  Mesh::Property_map<Mesh::Edge_index, int> jump;
   Mesh::Property_map<Mesh::Vertex_index, int> index;
   Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv;
   QM::Integer_grid_map_result result;
@@ -243,14 +247,14 @@ Mapped map_of(const test_meshes::Soup& soup, double length, QM::Rounding_method 
   m.index = m.tm.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
   m.uv = m.tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   auto origin = m.tm.add_property_map<Mesh::Face_index, int>("f:o", 0).first;
-  auto angle = m.tm.add_property_map<Mesh::Face_index, double>("f:a", 0).first;
-  auto jump = m.tm.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
+  m.angle = m.tm.add_property_map<Mesh::Face_index, double>("f:a", 0).first;
+  m.jump = m.tm.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
   QM::detect_feature_edges(m.tm, 40, length, m.is_feature);
   QM::split_for_alignment(m.tm, m.tm.points(), m.is_feature, true, origin, 1.5 * length);
   const QM::Cross_field_result field =
-    QM::smooth_cross_field(m.tm, angle, jump, m.index, parameters::target_edge_length(length).edge_is_constrained_map(m.is_feature));
+    QM::smooth_cross_field(m.tm, m.angle, m.jump, m.index, parameters::target_edge_length(length).edge_is_constrained_map(m.is_feature));
   assert(field.is_valid());
-  m.result = QM::integer_grid_map(m.tm, angle, jump, m.index, m.uv,
+  m.result = QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv,
                                   parameters::target_edge_length(length)
                                     .edge_is_constrained_map(m.is_feature)
                                     .rounding_method(method));
@@ -347,6 +351,106 @@ void test_check()
   std::cout << report.message() << std::endl;
 }
 
+// Against brute force: where the separations can hold at all within a small box, the search finds integers for which
+// they do, at little more than the least energy.
+void test_separated_rounding()
+{
+  CGAL::Random random(3);
+  const int n = 4, box = 3, trials = 200;
+  int solvable = 0, optimal = 0;
+  std::vector<int> number(n);
+  for(int i = 0; i < n; ++i)
+    number[i] = i;
+  for(int trial = 0; trial < trials; ++trial)
+  {
+    Eigen::MatrixXd R(n, n);
+    Eigen::VectorXd c(n);
+    for(int i = 0; i < n; ++i)
+    {
+      c[i] = random.get_double(-3, 3);
+      for(int j = 0; j < n; ++j)
+        R(i, j) = random.get_double(-1, 1);
+    }
+    const Eigen::MatrixXd S = R * R.transpose() + Eigen::MatrixXd::Identity(n, n);
+    std::vector<QM::internal::Separations::Separation> separations(5);
+    for(auto& s : separations)
+      for(int k = 0; k < 2; ++k)
+      {
+        s.wanted[k] = random.get_double(-1, 1);
+        s.offset[k] = QM::internal::Integer_form::variable(random.get_int(0, n), 1);
+        s.offset[k].add(QM::internal::Integer_form::variable(random.get_int(0, n), 1), -1);
+      }
+    const auto energy = [&](const Eigen::VectorXd& z) { return 0.5 * z.dot(S * z) - z.dot(c); };
+    const auto all_hold = [&](const Eigen::VectorXd& z)
+    {
+      for(const auto& s : separations)
+        if(!s.holds(z))
+          return false;
+      return true;
+    };
+    double least = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd z(n);
+    for(int code = 0; code < std::pow(2 * box + 1, n); ++code)
+    {
+      for(int i = 0, rest = code; i < n; ++i, rest /= 2 * box + 1)
+        z[i] = rest % (2 * box + 1) - box;
+      if(all_hold(z))
+        least = (std::min)(least, energy(z));
+    }
+    QM::internal::Separated_rounding rounding(S, c, number);
+    rounding.add(separations);
+    z.setZero();
+    const int broken = rounding.improve(z);
+    assert((broken == 0) == all_hold(z));
+    for(int i = 0; i < n; ++i)
+      assert(z[i] == std::round(z[i]));
+    if(least == std::numeric_limits<double>::infinity())
+      continue;
+    ++solvable;
+    assert(broken == 0);
+    optimal += energy(z) <= least + 1e-9;
+  }
+  assert(solvable > trials / 4 && optimal > 0.8 * solvable);
+}
+
+// A displacement that folds triangles when it is simply added is made without folding; an impossible one is not made.
+void test_carrying()
+{
+  Mapped m = map_of(test_meshes::icosphere(4), 0.15, QM::GREEDY_ROUNDING, "carried sphere");
+  const QM::internal::Indexed_triangle_mesh mesh = indexed(m.tm);
+  std::vector<double> angle;
+  std::vector<int> jump, quarters;
+  for(Mesh::Face_index f : m.tm.faces())
+    angle.push_back(m.angle[f]);
+  for(Mesh::Edge_index e : m.tm.edges())
+    jump.push_back(m.jump[e]);
+  for(Mesh::Vertex_index v : m.tm.vertices())
+    quarters.push_back(4 - m.index[v]);
+  const std::vector<bool> is_aligned(mesh.number_of_edges(), false);
+  QM::internal::Integer_grid_solver solver(mesh, angle, jump, quarters, is_aligned,
+                                           std::vector<double>(mesh.number_of_faces(), 0.15));
+  assert(solver.solve_seamless(1, 5) && solver.number_of_integers() > 0);
+  const QM::internal::Vertex_sectors sectors(solver.coordinates, quarters, is_aligned);
+  QM::internal::Map_optimization optimization(solver.coordinates, solver.faces, sectors);
+  assert(optimization.folded_faces(solver.relaxed).empty());
+
+  int folding = 0;
+  for(int i = 0; i < solver.coordinates.number_of_variables(); ++i)
+    if(solver.coordinates.is_integer[i])
+    {
+      Eigen::VectorXd displacement = Eigen::VectorXd::Zero(solver.coordinates.number_of_variables());
+      displacement[i] = 1;
+      folding += !optimization.folded_faces(solver.relaxed + displacement).empty();
+      Eigen::VectorXd x = solver.relaxed;
+      assert(optimization.carry(x, displacement, solver.coordinates.is_integer));
+      assert(optimization.folded_faces(x).empty() && std::abs(x[i] - solver.relaxed[i] - 1) < 1e-9);
+      x = solver.relaxed;
+      assert(!optimization.carry(x, 1000 * displacement, solver.coordinates.is_integer));
+      assert(optimization.folded_faces(x).empty());
+    }
+  assert(folding > 0);
+}
+
 void test_bad_input()
 {
   Mesh tm = test_meshes::make_mesh(test_meshes::cube(2));
@@ -381,6 +485,8 @@ int main()
   test_feature_filter();
   test_maps();
   test_check();
+  test_separated_rounding();
+  test_carrying();
   test_bad_input();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
