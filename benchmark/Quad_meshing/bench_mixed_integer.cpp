@@ -7,95 +7,47 @@
 // Author(s)     : The Quad_meshing authors
 
 // Rounding methods beside one sparse Cholesky factorization of the same matrix and beside naive rounding, which
-// factorizes once per integer.
+// solves the system anew after each rounding.
 //
-//   bench_mixed_integer [NAME ...]
+//   bench_mixed_integer [--naive N] [--sizes] [NAME or MESH ...]
 //
-// Problems are read from NAME.A.mtx, NAME.b.mtx (Matrix Market) and NAME.I.txt (indices of integers, from 0). Without
-// arguments two families are made: maps, a few integers of global influence, and fields, many of local influence.
+// A MESH (.off, .obj, .ply) gives the problems of Tables 5.1 and 5.2 of Bommes 2012, made of it and its decimations: cross fields without
+// constraints at 200, 1000, 2000 triangles and all, and maps at 1000 and 4000 quads; the figures of the thesis, for other decimations
+// of a rocker arm with constraints, stand below. Naive rounding is left out beyond N integers (default 2000). With --sizes it
+// gives the times of Tables 5.3 and 5.4 instead, at 10000, 50000 and 200000 triangles.
+//
+// A NAME stands for the files NAME.A.mtx, NAME.b.mtx (Matrix Market) and NAME.I.txt (indices of integers, from 0). Without
+// arguments two families of problems are made: maps, a few integers of global influence, and fields, many of local influence.
 
-#include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
+#include "mixed_integer_problems.h"
+
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
-#include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace QM = CGAL::Quad_meshing;
 namespace params = CGAL::parameters;
+using namespace mixed_integer_problems;
 
-typedef QM::Mixed_integer_problem Problem;
 typedef QM::Mixed_integer_solution Solution;
 
-// A grid of reals; differences across random edges contain integers, one for each of some vertical cuts.
-Problem make_map(int width, int integers)
+double factorization_seconds(const Problem& problem)
 {
-  CGAL::Random random(1);
-  Problem problem(width * width);
-  for(int k = 0; k < integers; ++k)
-    problem.add_variable(true);
-  const auto index = [width](int i, int j) { return i * width + j; };
-  for(int i = 0; i < width; ++i)
-    for(int j = 0; j < width; ++j)
-      for(int d = 0; d < 2; ++d)
-      {
-        const int i2 = i + (d == 0), j2 = j + (d == 1);
-        if(i2 == width || j2 == width)
-          continue;
-        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
-        // Cut k crosses the edges of a row segment.
-        const int cut = (i * integers) / width;
-        if(d == 0 && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
-          form.emplace_back(width * width + cut, 1.);
-        problem.add_squared_residual(form, random.get_double(-0.6, 0.7));
-      }
-  problem.add_equality_constraint({ { 0, 1. } }, 0.);
-  return problem;
-}
-
-// Angles at the nodes of a grid, period jumps on the edges that are not in a spanning tree.
-Problem make_field(int width)
-{
-  CGAL::Random random(2);
-  const double quarter = 1.57079632679489661923;
-  Problem problem(width * width);
-  const auto index = [width](int i, int j) { return i * width + j; };
-  for(int i = 0; i < width; ++i)
-    for(int j = 0; j < width; ++j)
-      for(int d = 0; d < 2; ++d)
-      {
-        const int i2 = i + (d == 0), j2 = j + (d == 1);
-        if(i2 == width || j2 == width)
-          continue;
-        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
-        const bool is_tree_edge = d == 1 || j == 0;
-        if(!is_tree_edge)
-          form.emplace_back(problem.add_variable(true), quarter);
-        problem.add_squared_residual(form, random.get_double(-0.25, 0.25));
-      }
-  problem.add_equality_constraint({ { 0, 1. } }, 0.);
-  return problem;
-}
-
-bool read_problem(const std::string& name, Problem& problem)
-{
-  std::ifstream a(name + ".A.mtx"), b(name + ".b.mtx"), integers(name + ".I.txt");
-  Eigen::SparseMatrix<double> A, rhs;
-  std::string message;
-  if(!a || !b || !integers || !QM::read_matrix_market(a, A, message) || !QM::read_matrix_market(b, rhs, message))
-    return false;
-  problem = Problem(static_cast<int>(A.rows()));
-  problem.set_energy(A, Eigen::VectorXd(Eigen::MatrixXd(rhs).col(0)));
-  for(int i; integers >> i;)
-    problem.set_integer(i);
-  return true;
+  Eigen::SparseMatrix<double> A = problem.matrix();
+  for(int i = 0; i < A.cols(); ++i)
+    A.coeffRef(i, i) *= 1. + 1e-9; // fields and maps alone are fixed up to a constant
+  QM::Sparse_cholesky cholesky;
+  CGAL::Real_timer timer;
+  timer.start();
+  cholesky.compute(A);
+  return timer.time();
 }
 
 // Stops naive rounding after some steps, to tell the time of the rest from them.
@@ -123,16 +75,7 @@ void print(const char* name, const Solution& s, double factorization)
 void run(const std::string& name, const Problem& problem)
 {
   const int naive_steps = 400;
-  CGAL::Real_timer timer;
-  Eigen::SparseMatrix<double> A = problem.matrix();
-  for(int i = 0; i < A.cols(); ++i)
-    A.coeffRef(i, i) *= 1. + 1e-9; // fields and maps alone are fixed up to a constant
-  QM::Sparse_cholesky cholesky;
-  timer.start();
-  cholesky.compute(A);
-  timer.stop();
-  const double factorization = timer.time();
-
+  const double factorization = factorization_seconds(problem);
   std::printf("%s: %d variables, %d integers; one factorization %.4g s\n", name.c_str(), problem.number_of_variables(),
               problem.number_of_integers(), factorization);
   std::printf("  %-22s %12s %11s %14s %14s\n", "method", "time", "/ factor.", "cost", "lower bound");
@@ -142,11 +85,11 @@ void run(const std::string& name, const Problem& problem)
     print("naive", QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)), factorization);
   else
   {
-    Step_limit limit(naive_steps / 10);
+    Step_limit limit(naive_steps);
     const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)
       .visitor(std::ref(limit)));
-    const double seconds = s.seconds / (naive_steps / 10) * problem.number_of_integers();
-    std::printf("  %-22s %10.4g s %9.1f x   (from %d steps)\n", "naive", seconds, seconds / factorization, naive_steps / 10);
+    const double seconds = s.seconds / naive_steps * problem.number_of_integers();
+    std::printf("  %-22s %10.4g s %9.1f x   (from %d steps)\n", "naive", seconds, seconds / factorization, naive_steps);
   }
   print("greedy", QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING)), factorization);
   print("greedy, three levels", QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING)
@@ -154,6 +97,9 @@ void run(const std::string& name, const Problem& problem)
   print("  tolerance 1e-3", QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING)
     .maximum_dense_integers(0).rounding_tolerance(1e-3)), factorization);
   if(problem.number_of_integers() <= 1000)
+  {
+    print("lattice within 1 s", QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+      .maximum_number_of_nodes(1e8).maximum_running_time(1.)), factorization);
     for(double nodes : { 1e6, 3e7, 1e9 })
     {
       const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
@@ -163,22 +109,171 @@ void run(const std::string& name, const Problem& problem)
       if(s.status == Solution::OPTIMAL)
         break;
     }
+  }
   std::printf("\n");
+}
+
+void print_cell(const Solution& s)
+{
+  std::printf(" | %8.3f/%8.3f", s.seconds, s.energy);
+  std::fflush(stdout);
+}
+
+// The three levels of greedy rounding are for integers of local influence.
+void print_row(const std::string& name, const Problem& problem, int naive_limit, bool has_levels)
+{
+  const int integers = problem.number_of_integers();
+  std::printf("%-20s %6d %6d", name.c_str(), integers, problem.number_of_variables() - integers);
+  print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::DIRECT_ROUNDING)));
+  const Solution greedy = QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+  print_cell(greedy);
+  if(has_levels)
+    print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0)
+      .rounding_tolerance(1e-3)));
+  else
+    std::printf(" | %17s", "-");
+  if(integers <= naive_limit)
+    print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)));
+  else
+    std::printf(" | %17s", "-");
+  if(integers <= 1000)
+  {
+    const double factorization = factorization_seconds(problem);
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    print_cell(s);
+    std::printf(" %9.3f %6.2f %% %-8s %8.4f %8.1f", s.lower_bound,
+                100. * (s.energy - s.lower_bound) / s.energy, QM::status_name(s.status), s.energy / greedy.energy,
+                s.seconds / factorization);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+void print_header(const char* title)
+{
+  std::printf("%s\n%-20s %6s %6s | %17s | %17s | %17s | %17s | %17s %9s %8s %-8s %8s %8s\n", title, "", "discr.", "cont.",
+              "direct s / E", "greedy s / E", "tol. 1e-3 s / E", "naive s / E", "lattice s / E", "bound", "gap", "", "E/greedy",
+              "t/factor");
+}
+
+void print_tables(const std::string& name, const Mesh& tm, int naive_limit)
+{
+  std::printf("%s\n", name.c_str());
+  print_header("Table 5.1: orientation fields");
+  for(std::size_t triangles : { std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(tm.number_of_faces()) })
+    if(triangles <= tm.number_of_faces())
+    {
+      const Mesh small = resized(tm, triangles);
+      print_row(std::to_string(small.number_of_faces()) + " triangles", field_problem(small), naive_limit, true);
+    }
+  print_header("Table 5.2: parametrizations");
+  for(int quads : { 1000, 4000 })
+    print_row(std::to_string(quads) + " quads", map_problem(tm, quads), naive_limit, false);
+  std::printf("\n");
+}
+
+// What the thesis has measured on a rocker arm, on a computer of 2012.
+void print_thesis()
+{
+  std::printf(
+    "Thesis, Table 5.1, fields          discr.  cont. |    direct s / E |    greedy s / E |     naive s / E | branch and cut, 900 s\n"
+    "  200 triangles                       111    153 |    0.002/  10.4 |    0.006/   8.6 |    0.010/   8.6 |   8.6, not proven\n"
+    "  1000 triangles                      515    841 |    0.007/  21.5 |    0.026/  14.1 |    0.238/  13.8 |  13.7, not proven\n"
+    "  2000 triangles                      910   1414 |    0.014/  30.9 |    0.036/  21.9 |    0.640/  21.6 |  21.3, not proven\n"
+    "  20000 triangles                   10119  17759 |    0.160/  58.7 |    0.480/  33.9 |  124    /  33.7 |  40.5, not proven\n"
+    "Thesis, Table 5.2, maps\n"
+    "  200 triangles                        62    138 |    0.007/ 262   |    0.014/ 251   |    0.032/ 252   | 245, not proven\n"
+    "  1000 triangles                       60    940 |    0.013/ 173   |    0.041/ 164   |    0.127/ 163   | 161, not proven\n"
+    "  2000 triangles                       60   1940 |    0.021/ 254   |    0.068/ 232   |    0.258/ 232   | 230, not proven\n"
+    "  20000 triangles                      56  19944 |    0.221/ 323   |    0.653/ 258   |    4.3  / 256   | 255, not proven\n");
+}
+
+void print_sizes(const std::string& name, const Mesh& tm)
+{
+  std::printf("%s\nTables 5.3 and 5.4: seconds, and in brackets relative to one factorization\n", name.c_str());
+  std::printf("%9s | %18s %18s %10s %18s | %18s %18s\n", "triangles", "field, greedy", "tolerance 1e-3", "E/E", "field, polished",
+              "map, greedy", "map, lattice");
+  for(std::size_t triangles : { 10000, 50000, 200000 })
+  {
+    Mesh sized = resized(tm, triangles);
+    const Problem field = field_problem(sized);
+    const double field_factorization = factorization_seconds(field);
+    const Solution greedy = QM::solve_mixed_integer(field, params::rounding_method(QM::GREEDY_ROUNDING));
+    const Solution coarse = QM::solve_mixed_integer(field, params::rounding_method(QM::GREEDY_ROUNDING).rounding_tolerance(1e-3));
+    auto angle = sized.add_property_map<Mesh::Face_index, double>("f:polished", 0.).first;
+    auto jump = sized.add_property_map<Mesh::Edge_index, int>("e:polished", 0).first;
+    auto index = sized.add_property_map<Mesh::Vertex_index, int>("v:polished", 0).first;
+    const QM::Cross_field_result polished = QM::smooth_cross_field(sized, angle, jump, index);
+    const Problem map = map_problem(sized, 4000);
+    const double map_factorization = factorization_seconds(map);
+    const Solution map_greedy = QM::solve_mixed_integer(map, params::rounding_method(QM::GREEDY_ROUNDING));
+    const Solution map_lattice = QM::solve_mixed_integer(map, params::rounding_method(QM::LATTICE_ROUNDING));
+    const auto cell = [](double seconds, double factorization) { std::printf(" %8.3f (%7.1f)", seconds, seconds / factorization); };
+    std::printf("%9d |", static_cast<int>(sized.number_of_faces()));
+    cell(greedy.seconds, field_factorization);
+    cell(coarse.seconds, field_factorization);
+    std::printf(" %10.4f", coarse.energy / greedy.energy);
+    cell(polished.seconds, field_factorization);
+    std::printf(" |");
+    cell(map_greedy.seconds, map_factorization);
+    cell(map_lattice.seconds, map_factorization);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+  std::printf("Thesis: fields of an armadillo 0.3 (10k), 1.2 (50k), 6.3 s (200k), of a cube 0.11, 0.5, 2.8 s; maps 1.3, 5.3, 21.4 s and 0.15, 0.9, 6.7 s\n\n");
+}
+
+bool is_mesh_name(const std::string& name)
+{
+  const std::size_t dot = name.rfind('.');
+  const std::string extension = dot == std::string::npos ? std::string() : name.substr(dot);
+  return extension == ".off" || extension == ".obj" || extension == ".ply";
 }
 
 int main(int argc, char* argv[])
 {
+  int naive_limit = 2000;
+  bool has_sizes = false, is_default = true, has_tables = false;
   for(int i = 1; i < argc; ++i)
   {
-    Problem problem;
-    if(!read_problem(argv[i], problem))
+    const std::string name = argv[i];
+    if(name == "--naive" && i + 1 < argc)
     {
-      std::fprintf(stderr, "bench_mixed_integer: %s: the files of the problem cannot be read\n", argv[i]);
+      naive_limit = std::atoi(argv[++i]);
+      continue;
+    }
+    if(name == "--sizes")
+    {
+      has_sizes = true;
+      continue;
+    }
+    is_default = false;
+    if(is_mesh_name(name))
+    {
+      Mesh tm;
+      if(!CGAL::IO::read_polygon_mesh(name, tm) || !CGAL::is_triangle_mesh(tm))
+      {
+        std::fprintf(stderr, "bench_mixed_integer: %s: no triangle mesh can be read\n", name.c_str());
+        return 2;
+      }
+      if(has_sizes)
+        print_sizes(name, tm);
+      else
+        print_tables(name, tm, naive_limit);
+      has_tables = has_tables || !has_sizes;
+      continue;
+    }
+    Problem problem;
+    if(!read_problem(name, problem))
+    {
+      std::fprintf(stderr, "bench_mixed_integer: %s: the files of the problem cannot be read\n", name.c_str());
       return 2;
     }
-    run(argv[i], problem);
+    run(name, problem);
   }
-  if(argc == 1)
+  if(has_tables)
+    print_thesis();
+  if(is_default)
   {
     run("map 100 x 100", make_map(100, 50));
     run("map 200 x 200", make_map(200, 100));

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The cost of the analysis, the smoothing and the grid-preserving operators, beside what it costs to copy the
-// mesh into flat arrays. Every random operator is checked: a pure quad mesh of the same topology with the
+// The cost of the analysis, the smoothing, the optimization and the grid-preserving operators, beside what it costs to
+// copy the mesh into flat arrays; coarse layouts beside the removal of helices. Every random operator is checked: a pure quad mesh of the same topology with the
 // same number of irregular vertices of each valence.
 //
 //   bench_structure [number of random operators, default 90000] [seed, default 1]
@@ -15,10 +15,11 @@
 #include "structure_meshes.h"
 
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
 #include <CGAL/Random.h>
-#include <CGAL/Timer.h>
+#include <CGAL/Real_timer.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +30,7 @@ typedef QM::internal::Indexed_quad_mesh Flat_mesh;
 
 namespace {
 
-double seconds(CGAL::Timer& timer)
+double seconds(CGAL::Real_timer& timer)
 {
   const double t = timer.time();
   timer.reset();
@@ -42,7 +43,7 @@ void analysis_and_smoothing()
   for(int n : { 26, 82, 129 })
   {
     SM::Mesh qm = SM::make_mesh(SM::sphere(n));
-    CGAL::Timer timer;
+    CGAL::Real_timer timer;
     timer.start();
     const Flat_mesh m = QM::internal::make_indexed_quad_mesh(qm).mesh;
     const double copy = seconds(timer);
@@ -55,12 +56,66 @@ void analysis_and_smoothing()
   }
 }
 
+// A sphere of 144 patches, each cut into k x k quads, after random operators.
+SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
+{
+  const SM::Quad_soup base = SM::sphere(2);
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(const auto& q : base.quads)
+  {
+    triangles.push_back({{ q[0], q[1], q[2] }});
+    triangles.push_back({{ q[0], q[2], q[3] }});
+  }
+  SM::Quad_soup soup = SM::refined(SM::split_triangles(base.points, triangles), k);
+  Flat_mesh m = QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh;
+  CGAL::Random random(seed);
+  for(int i = 0; i < operators; ++i)
+  {
+    const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+    QM::internal::Gp_search search(m, rules);
+    const QM::internal::Gp_path path = search.close({ 3 * random.get_int(0, m.number_of_halfedges()) });
+    if(path.empty())
+      continue;
+    const Flat_mesh result = QM::internal::Gp_execution(m, path).execute(rules.is_special);
+    if(QM::internal::is_valid_quad_mesh(result))
+      m = result;
+  }
+  soup.points = m.points;
+  soup.quads.clear();
+  for(const std::array<int, 4>& c : m.corners)
+    soup.quads.push_back({{ std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2]), std::size_t(c[3]) }});
+  for(SM::Point_3& p : soup.points)
+    p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length());
+  return SM::make_mesh(soup);
+}
+
+void optimization()
+{
+  std::printf("\n%8s | %8s %8s %8s | %8s %8s %8s %8s %8s\n", "method", "quads", "patches", "helices", "quads", "patches",
+              "helices", "least SJ", "s");
+  for(int k : { 5, 10, 16 })
+    for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
+    {
+      const bool layout = method == QM::Structure_method::LAYOUT;
+      if(!layout && k > 5)
+        continue;
+      SM::Mesh qm = twisted_sphere(k, 25, 1);
+      CGAL::Real_timer timer;
+      timer.start();
+      const auto r = QM::optimize_quad_structure(qm, CGAL::parameters::structure_method(method));
+      std::printf("%8s | %8zu %8zu %8zu | %8zu %8zu %8zu %8.2f %8.2f\n", layout ? "layout" : "helices",
+                  r.structure_before.number_of_quads, r.structure_before.number_of_patches, r.structure_before.number_of_helices,
+                  r.structure_after.number_of_quads, r.structure_after.number_of_patches, r.structure_after.number_of_helices,
+                  r.smoothing.quality_after.minimal_scaled_jacobian, timer.time());
+    }
+}
+
 bool random_operators(int wanted, unsigned int seed)
 {
   const std::vector<SM::Quad_soup> soups = { SM::cube(8), SM::rolled(16, 12, 2, true), SM::rolled(16, 12, 1, false), SM::grid(12, 9),
                                              SM::refined(SM::cube(2), 3) };
   CGAL::Random random(seed);
-  CGAL::Timer timer;
+  CGAL::Real_timer timer;
   timer.start();
   int done = 0, not_representable = 0, violations = 0;
   long steps = 0;
@@ -116,5 +171,6 @@ int main(int argc, char* argv[])
     return 2;
   }
   analysis_and_smoothing();
+  optimization();
   return random_operators(operators, argc > 2 ? std::atoi(argv[2]) : 1) ? 0 : 1;
 }

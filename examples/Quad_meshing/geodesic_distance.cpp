@@ -6,17 +6,19 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// Computes the geodesic distance on a triangle mesh from vertices, points, polylines and the border.
+// Computes the geodesic distance on a triangle mesh from vertices, points, polylines, sharp edges and the border.
 
 #include "command_line.h"
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
+#include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -174,6 +176,18 @@ void add_polylines(const std::string& filename, const Mesh& tm, Locator& locate,
   }
 }
 
+void add_sharp_edges(double angle, Mesh& tm, Field& field)
+{
+  auto is_sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(tm, angle, is_sharp);
+  std::vector<Mesh::Edge_index> sharp_edges;
+  for(Mesh::Edge_index e : tm.edges())
+    if(is_sharp[e])
+      sharp_edges.push_back(e);
+  if(field.add_edges_source(sharp_edges) == Field::no_source())
+    throw Unusable_input("--sharp-edges: there is no edge with such an angle");
+}
+
 // Writes a mesh with the vertex property 'distance'.
 void write_distances(const std::string& filename, const Mesh& tm, const std::function<double(Mesh::Vertex_index)>& distance)
 {
@@ -195,6 +209,26 @@ void write_distances(const std::string& filename, const Mesh& tm, const std::fun
     throw Unusable_input(filename + ": writing failed");
 }
 
+// Writes the isolines of all multiples of `spacing`, each as points in lines and an empty line. Returns their number.
+template <typename DistanceMap>
+std::size_t write_isolines(const std::string& filename, const Mesh& tm, const DistanceMap& distances, double spacing, double maximum)
+{
+  std::vector<std::vector<Point_3> > polylines;
+  for(double k = 1; k * spacing < maximum; ++k)
+    QM::trace_isolines(tm, distances, k * spacing, std::back_inserter(polylines));
+  std::ofstream os = command_line::open_output(filename);
+  for(const auto& polyline : polylines)
+  {
+    for(const Point_3& p : polyline)
+      os << p << "\n";
+    os << "\n";
+  }
+  os.close();
+  if(!os)
+    throw Unusable_input(filename + ": writing failed");
+  return polylines.size();
+}
+
 std::string status_word(QM::Geodesic_distance_status status, std::size_t unreached)
 {
   return status != QM::Geodesic_distance_status::SUCCESS ? "failed" : unreached > 0 ? "unreached_vertices" : "success";
@@ -209,10 +243,13 @@ int distances(int argc, char* argv[])
     ("polyline", po::value<std::string>(), "file with source polylines, a point in each line, consecutive points are joined "
                                            "by the shortest curve on the surface; an empty line begins a new one")
     ("boundary", "the boundary is a source")
+    ("sharp-edges", po::value<double>(), "the edges with a dihedral angle above this one (degrees) are a source")
     ("epsilon", po::value<double>()->default_value(0), "relative error allowed, 0 for exact distances")
     ("vertices-only", "keep no windows: less memory, for large meshes")
     ("refine", po::value<double>(), "refine the mesh until linear interpolation of the distance is good to this length "
                                     "(OUT must be .ply)")
+    ("isolines", po::value<double>(), "write the isolines of all multiples of this distance as polylines, on the refined mesh if there is one")
+    ("isolines-out", po::value<std::string>(), "file for the isolines; default: OUT.isolines.txt")
     ("paths-from", po::value<std::string>(), "file with points from which shortest paths are traced")
     ("paths-out", po::value<std::string>(), "file for these paths as polylines; default: OUT.paths.txt")
     ("json", po::value<std::string>(), "file for the figures");
@@ -227,6 +264,8 @@ int distances(int argc, char* argv[])
     throw Unusable_input(out + ": the format '" + extension + "' is not one of txt, ply");
   if(args.has("refine") && (args.positive_number("refine"), extension != "ply"))
     throw Unusable_input(out + ": a refined mesh needs the format ply");
+  if(args.has("isolines"))
+    args.positive_number("isolines");
   const bool vertices_only = args.has("vertices-only");
   for(const char* option : { "refine", "paths-from" })
     if(vertices_only && args.has(option))
@@ -254,8 +293,10 @@ int distances(int argc, char* argv[])
     add_polylines(args.value<std::string>("polyline"), tm, locate(), field);
   if(args.has("boundary") && field.add_border_source() == Field::no_source())
     throw Unusable_input(args.positional(0) + ": the mesh has no boundary");
+  if(args.has("sharp-edges"))
+    add_sharp_edges(args.number("sharp-edges", 0, 180), tm, field);
   if(field.number_of_sources() == 0)
-    throw Unusable_input("there is no source: give --vertices, --points, --polyline or --boundary");
+    throw Unusable_input("there is no source: give --vertices, --points, --polyline, --boundary or --sharp-edges");
   const double setup_seconds = timer.time() - reading_seconds;
 
   command_line::Progress_bar progress_bar;
@@ -295,29 +336,41 @@ int distances(int argc, char* argv[])
       }
   }
 
-  if(extension == "txt")
+  Mesh refined;
+  const Mesh* result_mesh = &tm;
+  auto distance = tm.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
+  if(args.has("refine"))
   {
-    std::ofstream os = command_line::open_output(out);
-    for(Mesh::Vertex_index v : tm.vertices())
-      os << field.distance(v) << "\n";
-    os.close();
-    if(!os)
-      throw Unusable_input(out + ": writing failed");
-  }
-  else if(args.has("refine"))
-  {
-    Mesh refined;
-    auto distance = refined.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
+    distance = refined.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
     const QM::Distance_refinement_result r =
       QM::refine_distance_field(field, refined, distance, args.value<double>("refine"));
     std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with " << r.number_of_faces << " faces\n";
     json.set("interpolation_error", r.error);
     json.set("refined_faces", r.number_of_faces);
     is_valid = is_valid && r;
-    write_distances(out, refined, [&](Mesh::Vertex_index v) { return distance[v]; });
+    result_mesh = &refined;
   }
   else
-    write_distances(out, tm, [&](Mesh::Vertex_index v) { return field.distance(v); });
+    for(Mesh::Vertex_index v : tm.vertices())
+      distance[v] = field.distance(v);
+
+  if(args.has("isolines"))
+  {
+    const std::string filename = args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";
+    json.set("isolines", write_isolines(filename, *result_mesh, distance, args.value<double>("isolines"), result.maximum_distance));
+  }
+
+  if(extension == "ply")
+    write_distances(out, *result_mesh, [&](Mesh::Vertex_index v) { return distance[v]; });
+  else
+  {
+    std::ofstream os = command_line::open_output(out);
+    for(Mesh::Vertex_index v : tm.vertices())
+      os << distance[v] << "\n";
+    os.close();
+    if(!os)
+      throw Unusable_input(out + ": writing failed");
+  }
 
   json.set("total_seconds", timer.time());
   if(args.has("json"))

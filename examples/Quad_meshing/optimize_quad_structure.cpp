@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// Makes the base complex of a quad mesh coarser by removing helices, and smooths the mesh.
+// Makes the base complex of a quad mesh coarser, and smooths the mesh.
 
 #include "command_line.h"
 
@@ -45,6 +45,39 @@ Mesh read_quad_mesh(const std::string& filename)
   return qm;
 }
 
+// Sharp edges in groups of few are noise on a curved surface, not features; returns how many have been dropped.
+std::size_t mark_sharp_edges(const Mesh& qm, double sharp_angle, Mesh::Property_map<Mesh::Edge_index, bool> is_sharp)
+{
+  constexpr std::size_t least_group = 10;
+  if(sharp_angle >= 180)
+    return 0;
+  PMP::detect_sharp_edges(qm, sharp_angle, is_sharp);
+  std::size_t dropped = 0;
+  std::vector<char> seen(qm.number_of_edges(), 0);
+  for(Mesh::Edge_index first : qm.edges())
+  {
+    if(!is_sharp[first] || qm.is_border(first) || seen[first])
+      continue;
+    std::vector<Mesh::Edge_index> group(1, first);
+    seen[first] = 1;
+    for(std::size_t i = 0; i < group.size(); ++i)
+      for(int end : { 0, 1 })
+        for(Mesh::Halfedge_index h : halfedges_around_target(qm.halfedge(group[i], end), qm))
+          if(is_sharp[qm.edge(h)] && !qm.is_border(qm.edge(h)) && !seen[qm.edge(h)])
+          {
+            seen[qm.edge(h)] = 1;
+            group.push_back(qm.edge(h));
+          }
+    if(group.size() < least_group)
+    {
+      dropped += group.size();
+      for(Mesh::Edge_index e : group)
+        is_sharp[e] = false;
+    }
+  }
+  return dropped;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -54,27 +87,32 @@ int main(int argc, char* argv[])
     po::options_description options("Options");
     options.add_options()
       ("reference", po::value<std::string>(), "triangle mesh that the result is smoothed on (default: the surface of IN)")
+      ("method", po::value<std::string>()->default_value("layout"), "layout: search a coarse layout and multiply its dual curves; helices: remove helices one by one")
+      ("iterations", po::value<unsigned int>()->default_value(5000), "number of layouts that are tried")
       ("merge-singularities", "allow irregular vertices to be merged with each other and moved onto sharp edges")
       ("collapse-loops", "collapse all dual curves that can be collapsed, at the end")
       ("sharp-angle", po::value<double>()->default_value(40), "edges with a larger angle between normals are kept (degrees; 180 = none)")
-      ("target-quads", po::value<std::size_t>()->default_value(0), "stop at this number of quads (0 = no target)")
-      ("target-patches", po::value<std::size_t>()->default_value(0), "stop at this size of the base complex (0 = no target)")
+      ("target-quads", po::value<std::size_t>()->default_value(0), "largest number of quads (0 = as many as IN; 1 = the layout itself)")
+      ("target-patches", po::value<std::size_t>()->default_value(0), "largest size of the base complex (0 = no target)")
       ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
     command_line::Arguments args("optimize_quad_structure",
                                  "makes the base complex of the quad mesh IN coarser and writes OUT", { "IN", "OUT" }, options);
     if(!args.parse(argc, argv))
       return static_cast<int>(command_line::done);
     const double sharp_angle = args.number("sharp-angle", 0, 180);
+    const QM::Structure_method method = args.choice("method", { "layout", "helices" }) == 0
+                                        ? QM::Structure_method::LAYOUT : QM::Structure_method::HELICES;
     Mesh qm = read_quad_mesh(args.positional(0));
     command_line::check_mesh_output(args.positional(1));
     auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-    if(sharp_angle < 180)
-      PMP::detect_sharp_edges(qm, sharp_angle, is_sharp);
+    const std::size_t dropped = mark_sharp_edges(qm, sharp_angle, is_sharp);
 
     CGAL::Real_timer timer;
     timer.start();
     command_line::Progress_bar progress;
-    const auto np = CGAL::parameters::merge_singularities(args.has("merge-singularities"))
+    const auto np = CGAL::parameters::structure_method(method)
+                      .number_of_iterations(args.value<unsigned int>("iterations"))
+                      .merge_singularities(args.has("merge-singularities"))
                       .collapse_dual_curves(args.has("collapse-loops"))
                       .target_number_of_quads(args.value<std::size_t>("target-quads"))
                       .target_number_of_patches(args.value<std::size_t>("target-patches"))
@@ -111,6 +149,7 @@ int main(int argc, char* argv[])
     json.set("helices_before", before.number_of_helices);
     json.set("helices_after", after.number_of_helices);
     json.set("irregular_vertices", after.number_of_irregular_vertices);
+    json.set("dropped_sharp_edges", dropped);
     json.set("operators_applied", result.operators_applied);
     json.set("minimal_scaled_jacobian", result.smoothing.quality_after.minimal_scaled_jacobian);
     json.set("seconds", timer.time());

@@ -25,10 +25,12 @@
 #include <CGAL/Quad_meshing/Fields/sizing.h>
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
+#include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Quad_meshing/IO/Flat_json.h>
 #include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>

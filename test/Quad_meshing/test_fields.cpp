@@ -487,15 +487,90 @@ void test_singularities_near_features()
   assert(count_near_border(f, m, 4) <= near_without);
   assert(with.energy < without.energy + 0.3 * without.singularities);
 
-  // On a rough sphere opposite singularities lie close together; for large quads some of them merge.
-  Field g(perturbed(icosphere(3), 0.04));
+}
+
+// The pairs of opposite singularities with less than `d` between them.
+int count_close_pairs(const Field& f, double d)
+{
+  int n = 0;
+  for(Vertex v : f.tm.vertices())
+    for(Vertex w : f.tm.vertices())
+      n += f.index[v] > 0 && f.index[w] < 0 && CGAL::squared_distance(f.tm.point(v), f.tm.point(w)) < d * d;
+  return n;
+}
+
+void test_close_pairs()
+{
+  namespace I = CGAL::Quad_meshing::internal;
+  std::cout << "close pairs" << std::endl;
+  {
+    // A pair put into a field without singularities, one and three edges apart, goes away without a trace,
+    // unless it is too far apart.
+    const Soup shape = torus(40, 20);
+    const Mesh tm = make_mesh<Mesh>(shape);
+    const I::Indexed_triangle_mesh m =
+      I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+    I::Field_problem problem(m);
+    problem.find_components();
+    problem.sectors = I::make_field_sectors(m, problem.aligned);
+    const I::Dual_laplacian laplacian(problem);
+    I::Cross_field field;
+    CGAL::Quad_meshing::Default_visitor visitor;
+    Result result;
+    assert(I::Field_solver<CGAL::Quad_meshing::Default_visitor>(problem, I::Field_options(), visitor)(field, result) == Status::SUCCESS);
+    assert(I::field_indices(problem, field) == std::vector<int>(m.number_of_vertices(), 0));
+    for(int steps : { 1, 3 })
+      for(int seed : { 0, 17, 200 })
+      {
+        I::Cross_field spoilt = field;
+        double length = 0;
+        int h = 3 * seed;
+        for(int i = 0; i < steps; ++i)
+        {
+          const int e = m.edge_of[h];
+          spoilt.period_jump[e] += m.halfedge_of_edge[e] == h ? 1 : -1;
+          length += std::sqrt(m.vector(h).squared_length());
+          // Straight on, as far as there is such a thing.
+          h = m.next(h);
+          if(i + 1 < steps)
+            h = m.next(m.opposite[m.next(m.opposite[h])]);
+        }
+        laplacian.solve_angles(spoilt);
+        const std::vector<int> indices = I::field_indices(problem, spoilt);
+        assert(std::count(indices.begin(), indices.end(), 1) == 1 && std::count(indices.begin(), indices.end(), -1) == 1);
+        const int v = static_cast<int>(std::find(indices.begin(), indices.end(), 1) - indices.begin());
+        const int w = static_cast<int>(std::find(indices.begin(), indices.end(), -1) - indices.begin());
+        const double straight = std::sqrt(CGAL::squared_distance(m.points[v], m.points[w]));
+        for(double reach : { 0.9 * straight, 1.01 * length })
+        {
+          I::Cross_field merged = spoilt;
+          I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.));
+          I::merge_close_pairs(problem, laplacian, reach, quads, merged);
+          if(reach < straight)
+            assert(merged.period_jump == spoilt.period_jump && merged.angle == spoilt.angle);
+          else
+          {
+            assert(I::field_indices(problem, merged) == std::vector<int>(m.number_of_vertices(), 0));
+            assert(std::abs(problem.energy(merged) - problem.energy(field)) < 1e-9);
+          }
+        }
+      }
+  }
+
+  // On a rough sphere opposite singularities lie close together. For large quads none does.
+  Field g(perturbed(icosphere(3), 0.07));
   const Result many = compute(g);
   check(g, many);
-  const Result few = CGAL::Quad_meshing::smooth_cross_field(g.tm, g.angle, g.jump, g.index, params::target_edge_length(1.));
-  check(g, few);
-  std::cout << "  " << many.singularities << " singularities, for large quads " << few.singularities << std::endl;
-  assert(few.singularities <= many.singularities);
-  assert(few.energy < many.energy + 0.3 * (many.singularities - few.singularities) / 2 + 1e-9);
+  assert(count_close_pairs(g, 0.5) > 0);
+  for(Method method : { Method::POLISHED, Method::GREEDY })
+  {
+    const Result few = CGAL::Quad_meshing::smooth_cross_field(g.tm, g.angle, g.jump, g.index,
+                                                              params::target_edge_length(1.).cross_field_method(method));
+    check(g, few);
+    std::cout << "  " << many.singularities << " singularities, for large quads " << few.singularities << std::endl;
+    assert(count_close_pairs(g, 0.5) == 0);
+    assert(few.singularities < many.singularities);
+  }
 }
 
 struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
@@ -628,6 +703,7 @@ int main()
   test_given_directions();
   test_sectors();
   test_singularities_near_features();
+  test_close_pairs();
   test_input();
   test_real_meshes();
   return EXIT_SUCCESS;

@@ -8,9 +8,12 @@
 
 #include "geodesics_meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -26,6 +29,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <vector>
 
 using namespace geodesics_meshes;
@@ -369,6 +373,77 @@ void test_against_CGAL()
   }
 }
 
+// The same on real meshes, where CGAL's data folder is installed.
+void test_real_meshes()
+{
+  std::cout << "real meshes" << std::endl;
+  typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_path;
+  int found = 0;
+  for(const char* name : { "eight", "pinion", "elephant", "couplingdown", "head", "hand", "knot1", "mushroom", "rotor", "anchor", "cactus", "handle" })
+  {
+    Mesh tm;
+    if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off"), tm) || !CGAL::is_triangle_mesh(tm))
+      continue;
+    ++found;
+    const Vertex v(static_cast<Mesh::size_type>(tm.number_of_vertices() / 2));
+    Field field(tm);
+    field.add_source(v);
+    assert(field.propagate());
+    Shortest_path reference(tm);
+    reference.add_source_point(v);
+    for(Vertex w : tm.vertices())
+    {
+      const double d = reference.shortest_distance_to_source_points(w).first;
+      assert(d < 0 ? field.distance(w) == infinity : std::fabs(field.distance(w) - d) <= 1e-10 * d);
+    }
+  }
+  std::cout << "  " << found << " found" << std::endl;
+}
+
+// A polyline and ten thousand points on it, on a curved surface: the distance to the curve is never larger, and little smaller.
+void test_sampled_polyline()
+{
+  std::cout << "a polyline and points on it" << std::endl;
+  const Mesh tm = make_mesh(perturbed(torus(24, 12), 0.02, 8));
+  std::vector<Location> line;
+  Field leg(tm);
+  leg.add_source(Location(Mesh::Face_index(20), {{ 0.2, 0.5, 0.3 }}));
+  leg.propagate();
+  leg.shortest_path(Location(Mesh::Face_index(330), {{ 0.1, 0.3, 0.6 }}), std::back_inserter(line));
+  assert(line.size() > 5);
+  Field curve(tm), points(tm);
+  assert(curve.add_polyline_source(line) == 0);
+  curve.propagate();
+  const double total = length(tm, line), spacing = total / 10000;
+  // consecutive points of a path have the face of the second one in common
+  std::size_t samples = 0;
+  for(std::size_t i = 1; i < line.size(); ++i)
+  {
+    const auto f = line[i].first;
+    const Location from = CGAL::Polygon_mesh_processing::locate_in_face(point(tm, line[i - 1]), f, tm);
+    const int n = int(std::sqrt(CGAL::squared_distance(point(tm, line[i - 1]), point(tm, line[i]))) / spacing) + 1;
+    for(int k = 0; k <= n; ++k, ++samples)
+    {
+      const double t = double(k) / n;
+      Location l(f, {{ 0, 0, 0 }});
+      for(int c = 0; c < 3; ++c)
+        l.second[c] = (std::max)(0., (1 - t) * from.second[c] + t * line[i].second[c]);
+      points.add_source(l);
+    }
+  }
+  assert(samples >= 10000);
+  double excess = 0;
+  points.propagate();
+  for(Vertex v : tm.vertices())
+  {
+    assert(curve.distance(v) <= points.distance(v) + 1e-9 * total);
+    // the foot is at most half a spacing away from a sample, and paths arrive at right angles
+    assert(points.distance(v) <= curve.distance(v) + 0.5 * spacing + 1e-9 * total);
+    excess += points.distance(v) - curve.distance(v);
+  }
+  assert(excess < 0.01 * spacing * tm.number_of_vertices());
+}
+
 // Sources beside each other: offsets, labels, and a curve as the limit of its points.
 void test_mixed_sources()
 {
@@ -454,6 +529,23 @@ void test_reach()
   assert(result.number_of_windows < torus_mesh.number_of_edges() / 10);
   for(Vertex v : torus_mesh.vertices())
     assert(full.distance(v) == other.distance(v));
+
+  // dropped or not, whatever the unit of length is: steps of the front are rounded
+  for(int i = 1; i <= 12; ++i)
+  {
+    const Mesh scaled = make_mesh(mapped(perturbed(torus(20, 10), 0.01, 3), [&](const Point_3& p)
+    { return Point_3(0.37 * i * p.x(), 0.37 * i * p.y(), 0.37 * i * p.z()); }));
+    for(double error : { 0., 1e-3 })
+    {
+      Field kept(scaled), dropped(scaled);
+      for(Field* f : { &kept, &dropped })
+        f->add_source(Vertex(5));
+      kept.propagate(params::relative_distance_error(error));
+      assert(dropped.propagate(params::keep_windows(false).relative_distance_error(error)).number_of_unreached_vertices == 0);
+      for(Vertex v : scaled.vertices())
+        assert(std::fabs(kept.distance(v) - dropped.distance(v)) <= 2 * error * kept.distance(v));
+    }
+  }
 
   struct Stopper : CGAL::Quad_meshing::Default_visitor
   {
@@ -555,6 +647,112 @@ void test_refinement()
   const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, 1e-9, params::maximum_number_of_faces(std::size_t(2000)));
   assert(!result && result.number_of_faces >= 2000 && result.error < result.initial_error);
   assert(std::count(d.begin(), d.end(), infinity) > 0);
+}
+
+// The edges above an angle.
+std::vector<Mesh::Edge_index> sharp_edges(Mesh& tm, double angle)
+{
+  std::vector<Mesh::Edge_index> sharp;
+  auto is_sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(tm, angle, is_sharp);
+  for(auto e : tm.edges())
+    if(is_sharp[e])
+      sharp.push_back(e);
+  return sharp;
+}
+
+// Curves as sources have ridges everywhere, beside edges and along them: no edge is split forever.
+void test_refinement_with_curves()
+{
+  std::cout << "refinement with curves as sources" << std::endl;
+  std::vector<Mesh> meshes = { make_mesh(perturbed(l_prism(4), 0.02, 5)), make_mesh(perturbed(cube(5), 0.02, 2)) };
+  Mesh fandisk;
+  if(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/fandisk.off"), fandisk))
+    meshes.push_back(fandisk);
+  else
+    std::cout << "  without fandisk.off" << std::endl;
+  for(Mesh& tm : meshes)
+  {
+    Field field(tm);
+    field.add_edges_source(sharp_edges(tm, 40));
+    const double maximum = field.propagate().maximum_distance;
+    for(double part : { 4e-3, 1e-3 })
+    {
+      Mesh refined;
+      auto d = refined.add_property_map<Vertex, double>("v:d", 0).first;
+      const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, part * maximum);
+      assert(result && result.error <= part * maximum && result.number_of_faces < 40 * tm.number_of_faces());
+      assert(CGAL::is_valid_polygon_mesh(refined));
+    }
+  }
+}
+
+// Isolines lie at their value, have it on the proper side, and end on the border or nowhere.
+void test_isolines()
+{
+  std::cout << "isolines" << std::endl;
+  // circles around a point of the plane, cut off by the border; the vertices that have the value itself make no trouble
+  Mesh tm = make_mesh(grid(20, 20));
+  const Point_3 center = tm.point(Vertex(198));
+  Field field(tm);
+  field.add_source(Vertex(198));
+  field.propagate();
+  Mesh refined;
+  auto d = refined.add_property_map<Vertex, double>("v:d", 0).first;
+  assert(CGAL::Quad_meshing::refine_distance_field(field, refined, d, 1e-4));
+  const double to_border = (std::min)({ center.x(), center.y(), 1 - center.x(), 1 - center.y() });
+  double last_length = 0;
+  for(double value : { 0.05, 0.1, 0.15, 0.99 * to_border })
+  {
+    std::vector<std::vector<Point_3> > lines;
+    CGAL::Quad_meshing::trace_isolines(refined, d, value, std::back_inserter(lines));
+    assert(lines.size() == 1 && lines[0].front() == lines[0].back());
+    double length = 0;
+    for(std::size_t i = 1; i < lines[0].size(); ++i)
+    {
+      const Point_3 &p = lines[0][i - 1], &q = lines[0][i];
+      assert(std::fabs(distance(q, center) - value) < 2e-4);
+      // the center is on the right
+      assert(p == q || CGAL::cross_product(q - p, center - p).z() < 0);
+      length += distance(p, q);
+    }
+    assert(std::fabs(length - 2 * pi * value) < 0.01 * value && length > last_length);
+    last_length = length;
+  }
+  std::vector<std::vector<Point_3> > lines;
+  CGAL::Quad_meshing::trace_isolines(refined, d, 1.05 * to_border, std::back_inserter(lines));
+  for(const auto& line : lines)
+    for(const Point_3& p : { line.front(), line.back() })
+      assert(p.x() == 0 || p.y() == 0 || p.x() == 1 || p.y() == 1);
+  assert(! lines.empty());
+
+  // a height on a torus: one circle, then two, then one; nothing at infinity
+  Mesh donut = make_mesh(perturbed(torus(40, 20), 0.001, 2));
+  auto height = donut.add_property_map<Vertex, double>("v:height", 0).first;
+  double low = infinity, high = -infinity;
+  for(Vertex v : donut.vertices())
+  {
+    height[v] = donut.point(v).x();
+    low = (std::min)(low, height[v]);
+    high = (std::max)(high, height[v]);
+  }
+  const auto count = [&](double value)
+  {
+    lines.clear();
+    CGAL::Quad_meshing::trace_isolines(donut, height, value, std::back_inserter(lines));
+    for(const auto& line : lines)
+    {
+      assert(line.size() > 3 && line.front() == line.back());
+      for(const Point_3& p : line)
+        assert(std::fabs(p.x() - value) < 1e-12);
+    }
+    return lines.size();
+  };
+  assert(count(0.95 * high + 0.05 * low) == 1 && count(0.5 * (high + low)) == 2 && count(0.95 * low + 0.05 * high) == 1);
+  assert(count(high + 1) == 0);
+  for(Vertex v : donut.vertices())
+    height[v] = infinity;
+  assert(count(0) == 0);
 }
 
 // Zero-area faces, doubled points and needles do not change the metric.
@@ -668,10 +866,14 @@ int main()
   test_cones();
   test_cube();
   test_against_CGAL();
+  test_real_meshes();
+  test_sampled_polyline();
   test_mixed_sources();
   test_reach();
   test_approximation();
   test_refinement();
+  test_refinement_with_curves();
+  test_isolines();
   test_degenerate_faces();
   test_more_digits();
   test_other_graphs();

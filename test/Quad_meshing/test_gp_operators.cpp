@@ -6,16 +6,16 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// Grid-preserving operators and the optimization built on them: after every operator the mesh is a pure quad
-// mesh of the same topology with the same irregular vertices, by checks that know nothing of the operators.
+// Grid-preserving operators: after every operator the mesh is a pure quad mesh of the same topology with the same
+// irregular vertices, by checks that know nothing of the operators.
 
 #include "quad_mesh_checks.h"
 #include "structure_meshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
-#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -285,54 +285,6 @@ void test_dual_curve_operators()
   assert(unwound);
 }
 
-void test_optimization()
-{
-  std::cout << "optimization" << std::endl;
-  // a cube twisted by random shifts comes back to its six patches
-  int twisted = 0;
-  for(unsigned int seed = 0; seed < 6; ++seed)
-  {
-    Mesh qm = SM::make_mesh(SM::sphere(12));
-    CGAL::Random random(seed);
-    std::vector<Mesh::Halfedge_index> all(qm.halfedges().begin(), qm.halfedges().end());
-    const auto op = QM::find_grid_preserving_operator(qm, all[random.get_int(0, int(all.size()))], Kind::SHIFT_LEFT);
-    if(op.empty() || !QM::apply_grid_preserving_operator(qm, op))
-      continue;
-    const QM::Quad_mesh_structure before = QM::quad_mesh_structure(qm);
-    if(before.number_of_patches == 6)
-      continue;
-    ++twisted;
-    const Mesh reference = SM::triangulated(SM::sphere(20));
-    const QM::Quad_structure_optimization_result r = QM::optimize_quad_structure(qm, reference);
-    assert(r.status == QM::Quad_structure_optimization_result::optimized);
-    assert(r.structure_before.number_of_patches == before.number_of_patches);
-    assert(QM::quad_mesh_structure(qm).number_of_patches == 6);
-    assert(QM::quad_mesh_structure(qm).number_of_helices == 0);
-    assert(QM::quad_mesh_structure(qm).inner_valences == before.inner_valences);
-    assert(QM::quad_mesh_quality(qm).minimal_scaled_jacobian > 0);
-    assert(CGAL::is_valid_polygon_mesh(qm));
-    for(auto v : qm.vertices())
-      assert(std::abs(std::sqrt((qm.point(v) - CGAL::ORIGIN).squared_length()) - 1) < 0.02);
-  }
-  assert(twisted > 2);
-
-  // the maximal collapse of a cube is a cube of six quads, or the number asked for
-  Mesh cube = SM::make_mesh(SM::cube(5));
-  QM::optimize_quad_structure(cube, CGAL::parameters::collapse_dual_curves(true).smoothing_iterations(0));
-  assert(cube.number_of_faces() == 6);
-  Mesh half = SM::make_mesh(SM::cube(6));
-  QM::optimize_quad_structure(half, CGAL::parameters::collapse_dual_curves(true).target_number_of_quads(120u));
-  assert(half.number_of_faces() <= 120 && half.number_of_faces() > 60);
-
-  // stopping leaves everything as it was; what is not a quad mesh is not touched
-  struct Stop : QM::Default_visitor { bool go_further() { return false; } } stop;
-  Mesh helix = SM::make_mesh(SM::rolled(12, 8, 1, false));
-  const auto stopped = QM::optimize_quad_structure(helix, CGAL::parameters::visitor(std::ref(stop)));
-  assert(stopped.status == QM::Quad_structure_optimization_result::stopped && helix.number_of_faces() == 96);
-  Mesh triangles = SM::triangulated(SM::cube(2));
-  assert(QM::optimize_quad_structure(triangles).status == QM::Quad_structure_optimization_result::not_a_quad_mesh);
-}
-
 } // namespace
 
 int main()
@@ -342,7 +294,6 @@ int main()
   test_graph_interface<Polyhedron>("Polyhedron_3");
   test_constraints();
   test_dual_curve_operators();
-  test_optimization();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

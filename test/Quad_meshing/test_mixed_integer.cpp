@@ -8,6 +8,7 @@
 
 // Mixed-integer problems against brute force, and methods against each other.
 
+#include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
@@ -550,6 +551,51 @@ void test_greedy_levels(CGAL::Random& random)
   assert((lattice.x - again.x).cwiseAbs().maxCoeff() == 0.);
 }
 
+// The shape of a field: integers with two neighbors each, which are condensed, and some with more.
+void test_leaves(CGAL::Random& random)
+{
+  const int width = 7;
+  for(int trial = 0; trial < 5; ++trial)
+  {
+    Problem problem(width * width);
+    for(int i = 0; i < width; ++i)
+      for(int j = 0; j < width; ++j)
+        for(int d = 0; d < 2; ++d)
+        {
+          const int i2 = i + (d == 0), j2 = j + (d == 1);
+          if(i2 == width || j2 == width)
+            continue;
+          Problem::Linear_form form = { { i2 * width + j2, 1. }, { i * width + j, -1. } };
+          if(d == 0 && j > 0)
+            form.emplace_back(problem.add_variable(true), uniform(random, 0.5, 2.));
+          problem.add_squared_residual(form, uniform(random, -1., 1.));
+        }
+    problem.add_squared_residual({ { 0, 1. } }, 0.3);
+    problem.add_squared_residual({ { problem.add_variable(true), 1. } }, 0.4); // without neighbors
+    if(trial > 2)
+      problem.set_integer(3 * width + 3); // itself next to leaves
+    const Solution naive = solve_and_check(problem, params::rounding_method(QM::NAIVE_ROUNDING));
+    const Solution dense = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+    assert(is_close(naive.energy, dense.energy) && (naive.x - dense.x).cwiseAbs().maxCoeff() < 1e-6);
+    const Solution levels = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0)
+      .rounding_tolerance(1e-11).simultaneous_rounding(false).gauss_seidel_iterations(10000000));
+    assert(is_close(naive.energy, levels.energy) && is_close(naive.relaxed_energy, levels.relaxed_energy));
+    assert(levels.gauss_seidel_roundings > 0);
+    const Solution coarse = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0));
+    assert(coarse.energy < 1.5 * naive.energy);
+  }
+
+  // Nothing but leaves.
+  Problem leaves(3);
+  for(int i = 0; i < 3; ++i)
+  {
+    leaves.set_integer(i);
+    leaves.add_squared_residual({ { i, 2. } }, 1.4 + i);
+  }
+  const Solution rounded = solve_and_check(leaves, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0));
+  assert(rounded.x[0] == 1. && rounded.x[1] == 1. && rounded.x[2] == 2.);
+}
+
 // Independent components add up, and many integers are decoded in blocks.
 void test_lattice_of_many_integers(CGAL::Random& random)
 {
@@ -580,25 +626,97 @@ void test_lattice_of_many_integers(CGAL::Random& random)
   assert(one.status == Solution::OPTIMAL && three.status == Solution::OPTIMAL);
   assert(is_close(three.energy, copies * one.energy));
 
-  // Residuals of a few integers each: strongly coupled, and too many to be decoded as a whole.
-  const int integers = 220;
-  Problem large(integers);
-  for(int i = 0; i < integers; ++i)
+  // Residuals of a few integers each: strongly coupled, too many for a proof or even to be decoded as a whole.
+  for(int integers : { 220, 440 })
   {
-    large.set_integer(i);
-    large.add_squared_residual({ { i, 1. } }, uniform(random, -2., 2.), 0.02);
+    Problem large(integers);
+    for(int i = 0; i < integers; ++i)
+    {
+      large.set_integer(i);
+      large.add_squared_residual({ { i, 1. } }, uniform(random, -2., 2.), 0.02);
+    }
+    for(int k = 0; k < integers; ++k)
+    {
+      Problem::Linear_form form;
+      for(int i = 0; i < 6; ++i)
+        form.emplace_back(random.get_int(0, integers), uniform(random, -1., 1.));
+      large.add_squared_residual(form, uniform(random, -2., 2.));
+    }
+    const Solution greedy = solve_and_check(large, params::rounding_method(QM::GREEDY_ROUNDING));
+    const Solution lattice = solve_and_check(large, params::rounding_method(QM::LATTICE_ROUNDING)
+      .maximum_number_of_nodes(1e6));
+    assert(lattice.energy < greedy.energy);
+    assert(lattice.lower_bound >= lattice.relaxed_energy && lattice.lower_bound <= lattice.energy);
   }
-  for(int k = 0; k < integers; ++k)
+}
+
+// With few nodes the bound must not exceed the optimum. Bases that are almost orthogonal have larger trees than the
+// Gaussian heuristic says.
+void test_lattice_bounds(CGAL::Random& random)
+{
+  for(double coupling : { 0., 0.05, 0.3 })
+    for(int trial = 0; trial < 5; ++trial)
+    {
+      const int integers = 24;
+      Problem problem(integers);
+      for(int i = 0; i < integers; ++i)
+      {
+        problem.set_integer(i);
+        problem.add_squared_residual({ { i, 1. } }, uniform(random, -2., 2.), uniform(random, 0.1, 3.));
+        for(int j = 0; j < i; ++j)
+          if(coupling > 0)
+            problem.add_squared_residual({ { i, 1. }, { j, uniform(random, -1., 1.) } }, 0., coupling * random.get_double());
+      }
+      const Solution optimum = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+        .maximum_number_of_nodes(1e9));
+      assert(optimum.status == Solution::OPTIMAL);
+      for(double nodes : { 0., 100., 2e4, 1e5 })
+      {
+        const Solution s = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+          .maximum_number_of_nodes(nodes));
+        assert(s.energy >= optimum.energy - 1e-9 && s.lower_bound <= optimum.energy + 1e-9);
+        assert(s.status != Solution::OPTIMAL || is_close(s.energy, optimum.energy));
+      }
+    }
+}
+
+// The energy over the integers is the energy of the whole with the best real variables.
+void test_integer_energy(CGAL::Random& random)
+{
+  for(int trial = 0; trial < 20; ++trial)
   {
-    Problem::Linear_form form;
-    for(int i = 0; i < 6; ++i)
-      form.emplace_back(random.get_int(0, integers), uniform(random, -1., 1.));
-    large.add_squared_residual(form, uniform(random, -2., 2.));
+    const Problem problem = random_problem(random, random.get_int(0, 6), random.get_int(0, 6));
+    const int n = problem.number_of_variables();
+    std::vector<bool> is_integer;
+    for(int i = 0; i < n; ++i)
+      is_integer.push_back(problem.is_integer(i));
+    const Eigen::SparseMatrix<double> A = problem.matrix();
+    const Eigen::VectorXd b = problem.linear_term();
+    QM::Integer_energy<> energy, factorized;
+    assert(energy.compute(A, b, is_integer) && factorized.factorize(A, b, is_integer));
+    assert(energy.size() == problem.number_of_integers());
+    assert(energy.integers().size() + energy.reals().size() == is_integer.size());
+
+    Eigen::VectorXd y(energy.size());
+    for(int i = 0; i < energy.size(); ++i)
+    {
+      assert(is_integer[energy.integers()[i]]);
+      y[i] = random.get_int(-3, 4);
+    }
+    const Eigen::VectorXd x = energy.complete(y);
+    assert((x - factorized.complete(y)).norm() < 1e-9 && (energy.integers_of(x) - y).norm() == 0.);
+    const Eigen::VectorXd gradient = A * x - b;
+    for(int i : energy.reals())
+      assert(std::fabs(gradient[i]) < 1e-6 * (1. + b.norm() + y.norm()));
+    const double whole = problem.energy(x) - problem.constant();
+    assert(is_close(energy.energy(x), whole));
+    assert(is_close(energy.relaxed_energy() + energy.cost(y), whole));
+    assert(is_close(energy.problem().energy(y), whole));
+    const Solution reduced = QM::solve_mixed_integer(energy.problem(), params::rounding_method(QM::LATTICE_ROUNDING));
+    const Solution solution = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    assert(is_close(reduced.energy + problem.constant(), solution.energy));
+    assert(is_close(reduced.relaxed_energy + problem.constant(), solution.relaxed_energy));
   }
-  const Solution greedy = solve_and_check(large, params::rounding_method(QM::GREEDY_ROUNDING));
-  const Solution lattice = solve_and_check(large, params::rounding_method(QM::LATTICE_ROUNDING)
-    .maximum_number_of_nodes(1e6));
-  assert(lattice.energy < greedy.energy);
 }
 
 void test_sparse_cholesky(CGAL::Random& random)
@@ -761,8 +879,13 @@ int main()
   test_inequalities(random);
   std::cout << "greedy levels" << std::endl;
   test_greedy_levels(random);
+  test_leaves(random);
   std::cout << "many integers" << std::endl;
   test_lattice_of_many_integers(random);
+  std::cout << "bounds" << std::endl;
+  test_lattice_bounds(random);
+  std::cout << "energy of integers" << std::endl;
+  test_integer_energy(random);
   std::cout << "visitor" << std::endl;
   test_visitor(random);
   std::cout << "done" << std::endl;

@@ -60,6 +60,7 @@
 //   keep_windows                    bool          false saves memory and leaves distances at vertices only; true
 //
 // Structure of quad meshes
+//   structure_method                Structure_method  how the structure is optimized; LAYOUT
 //   merge_singularities             bool          whether irregular vertices may be merged with each other and moved
 //                                                 onto constrained edges; false
 //   collapse_dual_curves            bool          whether dual curves are collapsed in the end where they can be; false
@@ -95,6 +96,7 @@
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
   CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
   CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \
+  CGAL_add_named_parameter(structure_method_t, structure_method, structure_method)                  \
   CGAL_add_named_parameter(merge_singularities_t, merge_singularities, merge_singularities)         \
   CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves, collapse_dual_curves)      \
   CGAL_add_named_parameter(target_number_of_patches_t, target_number_of_patches, target_number_of_patches) \

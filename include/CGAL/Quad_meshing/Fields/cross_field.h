@@ -88,8 +88,9 @@ namespace Quad_meshing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_length}
  *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, singularities are kept
- *       off places that are closer than half of it to a constrained edge without being on it, and opposite ones closer than
- *       that to each other are merged, if it costs little energy.}
+ *       off places that are closer than half of it to a constrained edge without being on it, if that costs little energy,
+ *       and opposite singularities closer than that to each other annihilate each other, unless one lies on a
+ *       constrained edge: no grid with such quads has room for both.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{singularities may be anywhere}
  *   \cgalParamNEnd

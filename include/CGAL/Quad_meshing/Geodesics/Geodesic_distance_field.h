@@ -552,7 +552,7 @@ private:
         ++result.number_of_unreached_vertices;
     }
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      result.number_of_windows += m_propagation->windows(e).size();
+      result.number_of_windows += m_propagation->windows(e).size;
     result.number_of_propagations = m_propagation->number_of_propagations();
   }
 

@@ -68,7 +68,7 @@ struct Distance_refinement_result
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{the refinement ends after the round in which this number is reached, whether the tolerance is met or not}
  *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{64 times the number of faces of the input}
+ *     \cgalParamDefault{256 times the number of faces of the input}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -85,7 +85,7 @@ refine_distance_field(const Geodesic_distance_field<TriangleMesh>& field, Refine
   typedef internal::Field_refinement Refinement;
 
   CGAL_precondition(tolerance > 0);
-  const std::size_t default_maximum = 64 * static_cast<std::size_t>(internal::Field_access::mesh(field).number_of_faces());
+  const std::size_t default_maximum = 256 * static_cast<std::size_t>(internal::Field_access::mesh(field).number_of_faces());
   const std::size_t maximum_faces = choose_parameter(get_parameter(np, internal_np::maximum_number_of_faces), default_maximum);
   Distance_refinement_result result;
   const auto* propagation = internal::Field_access::propagation(field);

@@ -68,13 +68,13 @@ exception is thrown and nothing is printed.
     \cgalParamDescription{the accuracy to which the iterative levels of greedy rounding update the variables, in
                           units of the variables}
     \cgalParamType{`double`}
-    \cgalParamDefault{`1e-4`}
+    \cgalParamDefault{`3e-4`}
   \cgalParamNEnd
   \cgalParamNBegin{gauss_seidel_iterations}
     \cgalParamDescription{the number of local Gauss-Seidel steps per rounding before the next level takes over;
                           0 switches the level off}
     \cgalParamType{`int`}
-    \cgalParamDefault{`100000`}
+    \cgalParamDefault{`20000`}
   \cgalParamNEnd
   \cgalParamNBegin{conjugate_gradient_iterations}
     \cgalParamDescription{the number of steps of the preconditioned conjugate gradient before a new factorization;

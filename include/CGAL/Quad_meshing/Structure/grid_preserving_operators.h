@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
 #include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -77,8 +78,6 @@ namespace internal {
 template <typename QuadMesh, typename NamedParameters>
 struct Gp_input
 {
-  typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<QuadMesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<QuadMesh>::face_descriptor face_descriptor;
 
@@ -94,16 +93,9 @@ struct Gp_input
     CGAL_precondition(is_quad_mesh(qm));
     const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, qm));
-    const auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                      Ignoring_map<edge_descriptor>());
-    const auto vcm = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                      Static_boolean_property_map<vertex_descriptor, false>());
     const bool merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
-    copy = make_indexed_quad_mesh(qm, vpm, ecm);
-    std::vector<char> is_fixed;
-    for(vertex_descriptor v : copy.vertices)
-      is_fixed.push_back(get(vcm, v) ? 1 : 0);
-    state = Structure_optimizer::initial_state(copy.mesh, is_fixed);
+    copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
+    state = Structure_optimizer::initial_state(copy.mesh, constrained_vertices(copy, np));
     rules = Structure_optimizer::vertex_rules(state, merge_singularities);
   }
 
@@ -314,7 +306,6 @@ bool apply_grid_preserving_operator(QuadMesh& qm, const Grid_preserving_operator
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
 
   const internal::Gp_input<QuadMesh, NamedParameters> input(qm, np);
   const internal::Gp_path path = input.flat_path(op, qm);
@@ -329,9 +320,8 @@ bool apply_grid_preserving_operator(QuadMesh& qm, const Grid_preserving_operator
     return false;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));
-  auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                              internal::Ignoring_map<edge_descriptor>());
-  internal::write_quad_mesh(result.mesh, result.vertex_origin, result.face_origin, input.copy, qm, vpm, ecm);
+  internal::write_quad_mesh(result.mesh, result.vertex_origin, result.face_origin, input.copy, qm, vpm,
+                            internal::edge_constraint_map(qm, np));
   return true;
 }
 

@@ -10,8 +10,10 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_OPTIMIZE_QUAD_STRUCTURE_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_optimizer.h>
 #include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
 #include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
@@ -31,6 +33,17 @@ namespace Quad_meshing {
 /*!
  * \ingroup PkgQuadMeshingStructureRef
  *
+ * \brief is the way in which `optimize_quad_structure()` proceeds.
+ */
+enum class Structure_method
+{
+  LAYOUT,     ///< looks for a coarse layout of the whole mesh, then multiplies its dual curves
+  HELICES     ///< removes helices one by one
+};
+
+/*!
+ * \ingroup PkgQuadMeshingStructureRef
+ *
  * \brief tells what `optimize_quad_structure()` did.
  */
 struct Quad_structure_optimization_result
@@ -45,7 +58,7 @@ struct Quad_structure_optimization_result
 
   Status status = optimized;                ///< the outcome
   std::string message;                      ///< the outcome as a sentence
-  std::size_t operators_applied = 0;        ///< number of grid-preserving operators
+  std::size_t operators_applied = 0;        ///< number of grid-preserving operators applied one by one
   Quad_mesh_structure structure_before;     ///< structure of the input
   Quad_mesh_structure structure_after;      ///< structure of the output
   /// what the smoothing at the end did. Its input is the mesh after the last operator.
@@ -56,47 +69,42 @@ namespace internal {
 
 struct Structure_options
 {
+  Structure_method method = Structure_method::LAYOUT;
   bool merge_singularities = false;
   bool collapse_dual_curves = false;
   std::size_t target_quads = 0;
   std::size_t target_patches = 0;
+  unsigned int layouts = 5000;
   unsigned int smoothing_iterations = 20;
 };
 
-// The greedy algorithm of section 10.3, then the collapses of section 10.4.
-template <typename Visitor>
-Quad_structure_optimization_result
-optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_reference& reference,
-                                const Structure_options& options, Visitor& visitor)
+// Looks for a coarse layout. Takes the best one on which the smoothing leaves no more inverted quads than there were
+// before, and else the mesh as it is. `smooth(state)` smooths and returns what has been done.
+template <typename Smooth, typename Visitor>
+void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Smooth& smooth, Visitor& visitor)
 {
-  typedef Quad_structure_optimization_result Result;
-  // Sweeps of smoothing between operators, which keep the positions apart, and how many of them there
-  // are at most: the cost must not grow with the number of operators.
-  constexpr unsigned int sweeps_between = 3;
-  constexpr std::size_t smoothings_between = 12;
-
-  Result result;
-  result.structure_before = structure_of_quad_mesh(optimizer.state.mesh);
-  const double helices = (std::max)(1., double(optimizer.score().helices));
-  Default_visitor silent;
-  std::size_t smoothed_at = 0, gap = 1, smoothings = 0;
-  auto target_reached = [&]
-  {
-    return (options.target_quads > 0 && optimizer.state.mesh.corners.size() <= options.target_quads)
-        || (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
-  };
-  auto after_operator = [&]
-  {
-    if(options.smoothing_iterations == 0 || optimizer.operators < smoothed_at + gap)
+  typedef Structure_optimizer::State State;
+  const std::size_t quads = optimizer.state.mesh.corners.size();
+  const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
+                           : options.collapse_dual_curves ? 1 : quads;
+  const std::size_t inverted_before = quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
+  Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
+  layout.search(static_cast<int>(options.layouts), [&] { return visitor.go_further(); }, [&](double p) { visitor.progress(p); });
+  for(State candidate; visitor.go_further() && layout.next(candidate); )
+    if(smooth(candidate).quality_after.number_of_inverted_quads <= inverted_before)
+    {
+      optimizer.set_state(std::move(candidate));
       return;
-    smooth_indexed_quad_mesh(optimizer.state.mesh, reference, optimizer.state.is_fixed, sweeps_between, silent);
-    smoothed_at = optimizer.operators;
-    if(++smoothings % smoothings_between == 0)
-      gap *= 4;
-  };
-  auto go_further = [&] { return visitor.go_further(); };
+    }
+}
 
-  visitor.on_stage_begin("structure");
+// The greedy algorithm of section 10.3.
+template <typename Visitor, typename TargetReached, typename AfterOperator>
+void remove_helices(Structure_optimizer& optimizer, Visitor& visitor, const TargetReached& target_reached,
+                    const AfterOperator& after_operator)
+{
+  const double helices = (std::max)(1., double(optimizer.score().helices));
+  auto go_further = [&] { return visitor.go_further(); };
   // Helices that could not be removed at first get a second chance after others have gone.
   bool gained = true;
   while(gained && !target_reached() && visitor.go_further())
@@ -110,15 +118,84 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
     }
     gained = optimizer.forget_failures() && gained;
   }
+}
+
+// The method that is asked for, the collapses of section 10.4, and the smoothing.
+template <typename Visitor>
+Quad_structure_optimization_result
+optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_reference& reference,
+                                const Structure_options& options, Visitor& visitor)
+{
+  typedef Quad_structure_optimization_result Result;
+  // Sweeps of smoothing between operators, which keep the positions apart, and how many of them there
+  // are at most: the cost must not grow with the number of operators.
+  constexpr unsigned int sweeps_between = 3;
+  constexpr std::size_t smoothings_between = 12;
+
+  Result result;
+  result.structure_before = structure_of_quad_mesh(optimizer.state.mesh);
+  Default_visitor silent;
+  std::size_t smoothed_at = 0, gap = 1, smoothings = 0;
+  auto target_reached = [&]
+  {
+    return (options.target_quads > 0 && optimizer.state.mesh.corners.size() <= options.target_quads)
+        || (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
+  };
+  auto smooth = [&](Structure_optimizer::State& s)
+  {
+    if(options.smoothing_iterations > 0)
+      return smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, options.smoothing_iterations, silent);
+    return Quad_mesh_smoothing_result();
+  };
+  // The last mesh without more inverted quads than the input, to go back to.
+  const std::size_t inverted_before = quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
+  Structure_optimizer::State good = optimizer.state;
+  std::size_t operators_of_good = 0;
+  auto after_operator = [&]
+  {
+    if(options.smoothing_iterations == 0 || optimizer.operators < smoothed_at + gap)
+      return;
+    const Quad_mesh_smoothing_result smoothing =
+      smooth_indexed_quad_mesh(optimizer.state.mesh, reference, optimizer.state.is_fixed, sweeps_between, silent);
+    if(smoothing.quality_after.number_of_inverted_quads <= inverted_before)
+    {
+      good = optimizer.state;
+      operators_of_good = optimizer.operators;
+    }
+    smoothed_at = optimizer.operators;
+    if(++smoothings % smoothings_between == 0)
+      gap *= 4;
+  };
+
+  visitor.on_stage_begin("structure");
+  if(options.method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0)
+  {
+    optimize_layout(optimizer, options, smooth, visitor);
+    good = optimizer.state;
+  }
+  else
+    remove_helices(optimizer, visitor, target_reached, after_operator);
   while(options.collapse_dual_curves && !target_reached() && visitor.go_further()
         && optimizer.collapse_next_dual_curve())
     after_operator();
   visitor.on_stage_end("structure");
 
   result.operators_applied = optimizer.operators;
-  if(visitor.go_further() && options.smoothing_iterations > 0)
+  auto smooth_result = [&]
+  {
     result.smoothing = smooth_indexed_quad_mesh(optimizer.state.mesh, reference, optimizer.state.is_fixed,
                                                 options.smoothing_iterations, visitor);
+    return result.smoothing.quality_after.number_of_inverted_quads <= inverted_before;
+  };
+  if(visitor.go_further() && options.smoothing_iterations > 0)
+  {
+    if(!smooth_result() && operators_of_good < optimizer.operators && visitor.go_further())
+    {
+      optimizer.set_state(std::move(good));
+      result.operators_applied = operators_of_good;
+      smooth_result();
+    }
+  }
   else
     result.smoothing.quality_before = result.smoothing.quality_after = quality_of_quad_mesh(optimizer.state.mesh);
   if(!visitor.go_further())
@@ -131,9 +208,9 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
   }
   result.structure_after = structure_of_quad_mesh(optimizer.state.mesh);
   result.message = "The base complex has " + std::to_string(result.structure_after.number_of_patches) + " patches, "
-                 + std::to_string(result.structure_before.number_of_patches) + " before; "
-                 + std::to_string(result.structure_after.number_of_helices) + " helices are left of "
-                 + std::to_string(result.structure_before.number_of_helices) + ".";
+                 + std::to_string(result.structure_before.number_of_patches) + " before; the number of helices is "
+                 + std::to_string(result.structure_after.number_of_helices) + ", "
+                 + std::to_string(result.structure_before.number_of_helices) + " before.";
   return result;
 }
 
@@ -145,22 +222,19 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
-  typedef boost::graph_traits<QuadMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef Quad_structure_optimization_result Result;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));
-  auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), Ignoring_map<edge_descriptor>());
-  const auto vcm = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                    Static_boolean_property_map<vertex_descriptor, false>());
+  auto ecm = edge_constraint_map(qm, np);
   Default_visitor default_visitor;
   auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   Structure_options options;
+  options.method = choose_parameter(get_parameter(np, internal_np::structure_method), Structure_method::LAYOUT);
   options.merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
   options.collapse_dual_curves = choose_parameter(get_parameter(np, internal_np::collapse_dual_curves), false);
   options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), 0);
   options.target_patches = choose_parameter(get_parameter(np, internal_np::target_number_of_patches), 0);
+  options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5000);
   options.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations), 20);
 
   Result result;
@@ -171,9 +245,6 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
     return result;
   }
   const Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, ecm);
-  std::vector<char> is_fixed;
-  for(vertex_descriptor v : copy.vertices)
-    is_fixed.push_back(get(vcm, v) ? 1 : 0);
   Smoothing_reference reference = make_reference(copy.mesh);
   if(reference.surface.empty())
   {
@@ -182,7 +253,7 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
     return result;
   }
 
-  Structure_optimizer optimizer(copy.mesh, is_fixed, options.merge_singularities);
+  Structure_optimizer optimizer(copy.mesh, constrained_vertices(copy, np), options.merge_singularities);
   result = optimize_indexed_quad_structure(optimizer, reference, options, visitor);
   if(result.status == Result::optimized)
     write_quad_mesh(optimizer.state.mesh, optimizer.state.vertex_origin, optimizer.state.face_origin, copy, qm, vpm, ecm);
@@ -195,22 +266,34 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief makes the base complex of a quad mesh coarser, without changing its topology and its
- * irregular vertices, by removing helices with grid-preserving operators.
+ * irregular vertices.
  *
- * The helix with the largest winding number that can be removed with a gain is removed first. A
- * helix is tried in several of its columns and in both directions, one operator for each unit of its pitch. The
- * operators do not destroy closed dual curves, do not wind up helices of more than two turns, and
- * leave constrained edges, the boundary and the irregular vertices as they are. A step is kept if the
- * base complex has become smaller, or has the same size and fewer helices; so the result is
- * never worse than the input. Each operator removes quads; at least 40 percent of them remain. The positions are smoothed on the reference in between and at the end
- * (see `smooth_quad_mesh()`).
+ * By default a coarse layout is searched. The straight lines from the irregular vertices, each of them up to where it meets
+ * another one, cut the mesh into few rectangles; integer lengths are chosen for their sides such that sides vanish, which makes
+ * lines from different irregular vertices meet (Lyon, Campen, Kobbelt: *Quad layouts via constrained T-mesh quantization*,
+ * Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is replaced by several parallel ones, so that there
+ * are about as many quads as before. The layout is chosen by its number of patches, by its number of helices and by
+ * how well the lengths of the quads fit to those of the input. A layout on which the smoothing leaves
+ * inverted quads is given up for a finer one; if none is better than the input, the input stays.
+ *
+ * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest winding
+ * number that can be removed with a gain first, in several of its columns and in both directions, one operator for each unit of
+ * its pitch (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral meshes*, Computer Graphics Forum 30(2),
+ * 2011). The operators do not destroy closed dual curves and do not wind up helices of more than two turns. A step is kept if
+ * the base complex has become smaller, or has the same size and fewer helices. Each operator removes quads; at least 40
+ * percent of them remain. A mesh without irregular vertices is always treated in this way.
+ *
+ * In both, constrained edges, the boundary and the irregular vertices are kept, and the positions are smoothed on the
+ * reference (see `smooth_quad_mesh()`). If the input has no inverted quads, the result has none either, unless nothing is
+ * smoothed.
  *
  * \tparam QuadMesh a model of `MutableFaceGraph` and `FaceListGraph`
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam NamedParametersQM a sequence of named parameters
  * \tparam NamedParametersTM a sequence of named parameters
  *
- * \param qm the quad mesh. The vertices and faces that remain keep their descriptors.
+ * \param qm the quad mesh. There are not more vertices, edges and faces afterwards than before, and those that remain have
+ *        descriptors of the input: the irregular and the constrained vertices their own.
  * \param tm the reference surface, a triangle mesh
  * \param np_qm an optional sequence of named parameters for `qm` among those listed below
  *
@@ -233,6 +316,11 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{no vertex is constrained}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{structure_method}
+ *     \cgalParamDescription{how the structure is optimized}
+ *     \cgalParamType{Structure_method}
+ *     \cgalParamDefault{`Structure_method::LAYOUT`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{merge_singularities}
  *     \cgalParamDescription{whether irregular vertices may be merged with each other, and moved onto constrained edges}
  *     \cgalParamType{bool}
@@ -245,14 +333,25 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_number_of_quads}
- *     \cgalParamDescription{the optimization ends when there are no more quads than this}
+ *     \cgalParamDescription{the result has no more quads than this, if that is possible. The dual curves of a layout are
+ *                           multiplied up to this number, which is at most that of the input; with 1 they are not multiplied at
+ *                           all, and the layout itself is the result. The removal of helices, and the collapse of dual curves,
+ *                           end when there are no more quads than this.}
  *     \cgalParamType{std::size_t}
- *     \cgalParamDefault{`0`: no target}
+ *     \cgalParamDefault{`0`: no target. A layout gets as many quads as the input has.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_number_of_patches}
- *     \cgalParamDescription{the optimization ends when the base complex has no more patches than this}
+ *     \cgalParamDescription{the optimization ends when the base complex has no more patches than this. A layout is made as
+ *                           coarse as that and no coarser, if possible.}
  *     \cgalParamType{std::size_t}
- *     \cgalParamDefault{`0`: no target}
+ *     \cgalParamDefault{`0`: no target. A layout gets at most 20 quads for each irregular vertex, and a quarter of the quads
+ *                       of the input, before its dual curves are multiplied.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the number of layouts that are tried at random, from the first one on. More of them take more
+ *                           time and find fewer patches and helices.}
+ *     \cgalParamType{unsigned int}
+ *     \cgalParamDefault{`5000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{smoothing_iterations}
  *     \cgalParamDescription{number of sweeps of the smoothing at the end; with 0, nothing is smoothed at all}
@@ -280,18 +379,10 @@ optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
                         const NamedParametersQM& np_qm = parameters::default_values(),
                         const NamedParametersTM& np_tm = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-
   CGAL_precondition(is_triangle_mesh(tm));
-  const auto vpm = choose_parameter(get_parameter(np_tm, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
-  const auto ecm = choose_parameter(get_parameter(np_tm, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<edge_descriptor, false>());
   return internal::optimize_quad_structure_with(qm, np_qm, [&](const internal::Indexed_quad_mesh& m)
   {
-    return internal::make_smoothing_reference(m, tm, vpm, ecm);
+    return internal::smoothing_reference(m, tm, np_tm);
   });
 }
 

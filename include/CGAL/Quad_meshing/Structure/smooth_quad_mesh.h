@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Structure/internal/Quad_smoother.h>
 #include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -108,27 +109,19 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, c
   return result;
 }
 
-// Reads the named parameters of the quad mesh, calls `smooth(copy, is_fixed_vertex, iterations,
-// visitor)` on its flat copy, and writes the points back.
-template <typename QuadMesh, typename NamedParameters, typename Smooth>
+// Smooths on `make_reference(flat copy)` and writes the points back.
+template <typename QuadMesh, typename NamedParameters, typename MakeReference>
 Quad_mesh_smoothing_result
-smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const Smooth& smooth)
+smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
-  typedef boost::graph_traits<QuadMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_property_map(vertex_point, qm));
-  const auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<edge_descriptor, false>());
-  const auto vcm = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                    Static_boolean_property_map<vertex_descriptor, false>());
   const unsigned int number_of_iterations =
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 20);
   Default_visitor default_visitor;
@@ -142,13 +135,10 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const Smooth& smo
     return result;
   }
 
-  Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, ecm);
-  std::vector<char> is_fixed_vertex;
-  for(vertex_descriptor v : copy.vertices)
-    is_fixed_vertex.push_back(get(vcm, v) ? 1 : 0);
-
+  Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
   const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
-  result = smooth(copy.mesh, is_fixed_vertex, number_of_iterations, visitor);
+  Smoothing_reference reference = make_reference(copy.mesh);
+  result = smooth_indexed_quad_mesh(copy.mesh, reference, constrained_vertices(copy, np), number_of_iterations, visitor);
 
   for(std::size_t i = 0; i < copy.vertices.size(); ++i)
     if(copy.mesh.points[i] != before[i])
@@ -249,23 +239,11 @@ smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
                  const NamedParametersQM& np_qm = parameters::default_values(),
                  const NamedParametersTM& np_tm = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-
   CGAL_precondition(is_triangle_mesh(tm));
-  const auto vpm = choose_parameter(get_parameter(np_tm, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
-  const auto ecm = choose_parameter(get_parameter(np_tm, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<edge_descriptor, false>());
-
-  auto smooth = [&](internal::Indexed_quad_mesh& m, const std::vector<char>& is_fixed_vertex,
-                    unsigned int number_of_iterations, auto& visitor)
+  return internal::smooth_quad_mesh_with(qm, np_qm, [&](const internal::Indexed_quad_mesh& m)
   {
-    internal::Smoothing_reference reference = internal::make_smoothing_reference(m, tm, vpm, ecm);
-    return internal::smooth_indexed_quad_mesh(m, reference, is_fixed_vertex, number_of_iterations, visitor);
-  };
-  return internal::smooth_quad_mesh_with(qm, np_qm, smooth);
+    return internal::smoothing_reference(m, tm, np_tm);
+  });
 }
 
 /*!
@@ -280,13 +258,10 @@ template <typename QuadMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Quad_mesh_smoothing_result
 smooth_quad_mesh(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  auto smooth = [&](internal::Indexed_quad_mesh& m, const std::vector<char>& is_fixed_vertex,
-                    unsigned int number_of_iterations, auto& visitor)
+  return internal::smooth_quad_mesh_with(qm, np, [](const internal::Indexed_quad_mesh& m)
   {
-    internal::Smoothing_reference reference(m);
-    return internal::smooth_indexed_quad_mesh(m, reference, is_fixed_vertex, number_of_iterations, visitor);
-  };
-  return internal::smooth_quad_mesh_with(qm, np, smooth);
+    return internal::Smoothing_reference(m);
+  });
 }
 
 } // namespace Quad_meshing

@@ -140,9 +140,8 @@ private:
       return Cross_field_status::NUMERICAL_FAILURE;
     if(polished && !shake())
       return Cross_field_status::STOPPED;
-    if(polished && m_options.target_edge_length > 0)
-      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, *m_best_quads, m_best,
-                        [&] { return m_visitor.go_further(); });
+    if(m_options.target_edge_length > 0)
+      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, *m_best_quads, m_best);
     m_visitor.progress(1.);
 
     field = m_best;
@@ -172,7 +171,7 @@ private:
   {
     const int nf = m_problem.mesh.number_of_faces();
     const int times = nf == 0 ? 0 : (std::min)(20, 30000 / nf);
-    const int moves = 3;
+    const int moves = 6;
     const double singular_residual = 0.15; // see Jump_polish
 
     std::mt19937 random; // the same numbers on every platform

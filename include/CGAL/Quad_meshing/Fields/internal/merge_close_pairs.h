@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Quad_meshing authors
+
 #ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_MERGE_CLOSE_PAIRS_H
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_MERGE_CLOSE_PAIRS_H
 
@@ -12,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -23,10 +25,23 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A path of halfedges from a vertex with three quads to the nearest one with five, over vertices without
-// aligned edges and not longer than `reach`; empty if there is none.
-inline std::vector<int> path_to_opposite_singularity(const Field_problem& problem, const Sector_quads& quads, int sector, double reach)
+// Two opposite singularities, and the halfedges that lead from the one that lacks quads to the one that has too many, last
+// one first, over vertices without aligned edges.
+struct Singularity_pair
 {
+  double length;
+  int lacking, abundant; // sectors
+  std::vector<int> path;
+};
+
+// Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than that in
+// space, which is what a map cannot tell apart, on a path not much longer.
+inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads, int sector, double reach,
+                                std::vector<Singularity_pair>& pairs)
+{
+  // A path along edges of equilateral triangles is up to 2/sqrt(3) times as long as the way it stands for.
+  const double detour = 1.2;
+
   typedef std::pair<double, int> Entry;
   const Indexed_triangle_mesh& m = problem.mesh;
   const Field_sectors& sectors = problem.sectors;
@@ -42,12 +57,13 @@ inline std::vector<int> path_to_opposite_singularity(const Field_problem& proble
     const int s = top.second;
     if(top.first > reached[s].first)
       continue;
-    if(quads.state()[s] == 5)
+    const double straight = (m.points[sectors.vertex[s]] - m.points[sectors.vertex[sector]]).squared_length();
+    if(quads[s] > 4 && straight < reach * reach)
     {
-      std::vector<int> path;
+      Singularity_pair pair = { top.first, sector, s, std::vector<int>() };
       for(int h = reached[s].second; h != -1; h = reached[sectors.of_corner[h]].second)
-        path.push_back(h);
-      return path;
+        pair.path.push_back(h);
+      pairs.push_back(pair);
     }
     const int first = sectors.first_corner[s];
     int h = first;
@@ -55,7 +71,7 @@ inline std::vector<int> path_to_opposite_singularity(const Field_problem& proble
     {
       const int t = sectors.of_corner[m.next(h)];
       const double d = top.first + std::sqrt(m.vector(h).squared_length());
-      if(d < reach && sectors.closed[t])
+      if(d < detour * reach && sectors.closed[t])
       {
         const auto found = reached.find(t);
         if(found == reached.end() || d < found->second.first)
@@ -68,52 +84,43 @@ inline std::vector<int> path_to_opposite_singularity(const Field_problem& proble
     }
     while(h != first);
   }
-  return std::vector<int>();
 }
 
-// Annihilates pairs of opposite singularities (three and five quads) closer to each other than `reach`, if that costs
-// little: a map for quads of twice this size would put both on one grid point. The angles of the field are the
-// best ones for its jumps, before and after.
-template <typename Go_further>
-void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach, Sector_quads& quads,
-                       Cross_field& field, const Go_further& go_further)
+// Annihilates the pairs of opposite singularities closer to each other than `reach`, nearest first: a map for quads of twice
+// this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
+// moves to the other along mesh edges; the angles follow. Singularities on aligned edges stay.
+inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach, Sector_quads& quads,
+                              Cross_field& field)
 {
-  // What a pair may cost that the search left because it lowers the energy; a singularity alone
-  // accounts for about 0.5.
-  const double worth_of_pair = 0.3;
-  // Every attempt solves a system; more pairs than this are noise that a few merges do not cure.
-  const int maximum_attempts = 200;
-
-  double energy = problem.energy(field) + quads.cost();
-  int attempts = 0;
-  for(int s = 0; s < problem.sectors.number_of_sectors() && attempts < maximum_attempts && go_further(); ++s)
+  const int n = problem.sectors.number_of_sectors();
+  bool has_changed = false;
+  for(;;)
   {
-    if(!problem.sectors.closed[s] || quads.state()[s] != 3)
-      continue;
-    const std::vector<int> path = path_to_opposite_singularity(problem, quads, s, reach);
-    if(path.empty())
-      continue;
-    ++attempts;
-    const Cross_field before = field;
-    const Sector_quads::State quads_before = quads.state();
-    for(int h : path)
+    std::vector<Singularity_pair> pairs;
+    for(int s = 0; s < n; ++s)
+      if(problem.sectors.closed[s] && quads.state()[s] < 4)
+        find_close_partners(problem, quads.state(), s, reach, pairs);
+    if(pairs.empty())
+      break;
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Singularity_pair& a, const Singularity_pair& b) { return a.length < b.length; });
+    for(const Singularity_pair& pair : pairs)
     {
-      // The quad comes to the source of every halfedge.
-      const int e = problem.mesh.edge_of[h];
-      const int by = problem.mesh.halfedge_of_edge[e] == h ? -1 : 1;
-      field.period_jump[e] += by;
-      quads.change_jump(e, by);
+      if(quads.state()[pair.lacking] >= 4 || quads.state()[pair.abundant] <= 4)
+        continue;
+      for(int h : pair.path)
+      {
+        // The quad comes to the source of every halfedge.
+        const int e = problem.mesh.edge_of[h];
+        const int by = problem.mesh.halfedge_of_edge[e] == h ? -1 : 1;
+        field.period_jump[e] += by;
+        quads.change_jump(e, by);
+      }
     }
-    laplacian.solve_angles(field);
-    const double merged = problem.energy(field) + quads.cost();
-    if(merged < energy + worth_of_pair)
-      energy = merged;
-    else
-    {
-      field = before;
-      quads.set_state(quads_before);
-    }
+    has_changed = true;
   }
+  if(has_changed)
+    laplacian.solve_angles(field);
 }
 
 } // namespace internal

@@ -40,7 +40,12 @@ public:
 
   // Where along the segment from a to b (fractions of it) the distance differs most from the line between
   // the distances da and db at its ends, and by how much.
-  std::pair<double, double> largest_deviation(int face, const Place& a, const Place& b, double da, double db)
+  //
+  // The windows tell where that may be. What they say of the distance there is asked again of the field (`distance_at`, for a
+  // fraction of the segment): where a segment runs along the rays at the end of a window it is a matter of rounding which
+  // windows reach it.
+  template <typename DistanceAt>
+  std::pair<double, double> largest_deviation(int face, const Place& a, const Place& b, double da, double db, const DistanceAt& distance_at)
   {
     const double length = std::hypot(b.first - a.first, b.second - a.second);
     std::pair<double, double> worst(0.5, 0.);
@@ -52,11 +57,15 @@ public:
     {
       // Neither function grows faster than the way does. So rounding at the ends cannot count as an error,
       // and an edge shorter than the tolerance needs no split.
-      const double deviation = (std::min)(std::abs(w.distance(t) - (da + slope * t)), 2 * (std::min)(t, length - t));
-      if(deviation > worst.second)
-        worst = std::make_pair(t / length, deviation);
+      const double possible = 2 * (std::min)(t, length - t);
+      if((std::min)(std::abs(w.distance(t) - (da + slope * t)), possible) > worst.second)
+      {
+        const double deviation = (std::min)(std::abs(distance_at(t / length) - (da + slope * t)), possible);
+        if(deviation > worst.second)
+          worst = std::make_pair(t / length, deviation);
+      }
     };
-    for(const W& w : m_list)
+    for(const W& w : m_lists[0])
     {
       look_at(w, w.b0);
       look_at(w, w.b1);
@@ -75,7 +84,7 @@ private:
   // Everything in the frame of the segment: a at the origin, b on the x-axis.
   void make(int face, const Place& a, const Place& b, double length)
   {
-    m_list.clear();
+    m_lists.clear(m_lists[0]);
     m_length = length;
     const double ux = (b.first - a.first) / length, uy = (b.second - a.second) / length;
     const auto placed = [&](double x, double y)
@@ -147,10 +156,14 @@ private:
   bool clip_right(const Place& p, const Place& d, double& t0, double& t1) const { return clip(d.second, d.first * p.second - d.second * p.first, d, t0, t1); }
   bool clip_left(const Place& p, const Place& d, double& t0, double& t1) const { return clip(-d.second, d.second * p.first - d.first * p.second, d, t0, t1); }
 
+  // A window that reaches the segment is taken to reach so much farther, as a part of the length: windows leave gaps from rounding,
+  // and a segment along their rays would fall into them. A distance found so is wrong by the square of this.
+  static double clip_slack() { return 1e-7; }
+
   // Restricts [t0, t1] to where a t + b >= 0, up to rounding.
   bool clip(double a, double b, const Place& d, double& t0, double& t1) const
   {
-    const double slack = Window_tolerances<double>::place() * m_length * (std::abs(d.first) + std::abs(d.second));
+    const double slack = clip_slack() * m_length * (std::abs(d.first) + std::abs(d.second));
     if(a == 0)
       return b >= -slack;
     const double t = -(b + slack) / a;
@@ -160,13 +173,13 @@ private:
 
   void insert_circular(const Place& source, double sigma, double t0, double t1)
   {
-    insert(W{ t0, t1, source.first, std::abs(source.second), sigma, 0, 0.f, 0.f, false, true, false });
+    insert(W{ t0, t1, source.first, std::abs(source.second), sigma, 0, false, true, false, 0.f });
   }
 
   // The distance `d` at p grows in direction n.
   void insert_linear(const Place& n, double d, const Place& p, double t0, double t1)
   {
-    insert(W{ t0, t1, n.first, std::abs(n.second), d - n.first * p.first - n.second * p.second, 0, 0.f, 0.f, true, true, false });
+    insert(W{ t0, t1, n.first, std::abs(n.second), d - n.first * p.first - n.second * p.second, 0, true, true, false, 0.f });
   }
 
   // The distance to the segment pq where the foot lies within it; its ends are sources of their own.
@@ -186,15 +199,15 @@ private:
 
   void insert(W w)
   {
-    float key;
-    m_envelope.insert(m_list, w, m_length, key);
+    int hint = 0;
+    m_envelope.insert(m_lists, m_lists[0], hint, w, m_length);
   }
 
   const Mesh& m_mesh;
   const Propagation& m_propagation;
   const Sources& m_sources;
   Window_envelope<double> m_envelope;
-  std::vector<W> m_list;
+  Window_lists<double> m_lists{ 1 };
   double m_length = 0;
 };
 

@@ -60,7 +60,7 @@ public:
     m_initial_error = worst;
     while(worst > tolerance && m_refined.number_of_faces() < maximum_faces)
     {
-      tag_third_edges();
+      tag_further_edges();
       split_tagged_edges();
       flip_red_edges();
       worst = evaluate(tolerance);
@@ -104,8 +104,13 @@ private:
         const int f = face_beside(e);
         std::pair<double, double> d(0.5, 0.);
         if(is_reached(p) && is_reached(q))
-          d = m_profile.largest_deviation(f, place_in_face(m_mesh, f, m_places[p]), place_in_face(m_mesh, f, m_places[q]),
-                                          m_distance[p], m_distance[q]);
+        {
+          const auto a = place_in_face(m_mesh, f, m_places[p]), b = place_in_face(m_mesh, f, m_places[q]);
+          d = m_profile.largest_deviation(f, a, b, m_distance[p], m_distance[q], [&](double t)
+          {
+            return m_queries.arrival(f, a.first + t * (b.first - a.first), a.second + t * (b.second - a.second)).distance;
+          });
+        }
         m_error[e] = d.second;
         m_split[e] = d.second > tolerance ? split_position(d.first) : 0;
       }
@@ -123,27 +128,54 @@ private:
     return t < 0.125 ? 0.25 : t < 0.25 ? 2 * t : t;
   }
 
-  void tag_third_edges()
+  // Tags the third edge where two are tagged, and in flat triangles the longest one where another one is. Without that, new
+  // vertices can creep up to an edge forever: the edge is good enough, but the edges from its ends to a point close to it are not.
+  void tag_further_edges()
   {
     std::vector<Face> stack(m_refined.faces().begin(), m_refined.faces().end());
     while(! stack.empty())
     {
-      const Halfedge h = m_refined.halfedge(stack.back());
+      const Face f = stack.back();
+      const Halfedge h = m_refined.halfedge(f);
       stack.pop_back();
       const Halfedge corners[3] = { h, m_refined.next(h), m_refined.prev(h) };
       int tagged = 0;
       for(Halfedge g : corners)
         tagged += m_split[m_refined.edge(g)] > 0;
-      if(tagged != 2)
+      if(tagged == 0 || tagged == 3)
         continue;
+      const Halfedge longest = *std::max_element(corners, corners + 3, [&](Halfedge a, Halfedge b) { return squared_length(a) < squared_length(b); });
       for(Halfedge g : corners)
-        if(m_split[m_refined.edge(g)] == 0)
+        if(m_split[m_refined.edge(g)] == 0 && (tagged == 2 || (g == longest && is_flat(f))))
         {
           m_split[m_refined.edge(g)] = 0.5;
+          stack.push_back(f);
           if(! m_refined.is_border(m_refined.opposite(g)))
             stack.push_back(m_refined.face(m_refined.opposite(g)));
         }
     }
+  }
+
+  double squared_length(Halfedge h) const
+  {
+    return squared_distance(m_refined.point(m_refined.source(h)), m_refined.point(m_refined.target(h)));
+  }
+
+  // Whether the height over the longest edge, as a part of that edge, is a 16th of what it is in the input.
+  bool is_flat(Face f) const
+  {
+    const Halfedge h = m_refined.halfedge(f);
+    const auto& c = m_mesh.corners[m_input_face[f]];
+    const double now = squared_height(m_refined.point(m_refined.source(h)), m_refined.point(m_refined.target(h)),
+                                      m_refined.point(m_refined.target(m_refined.next(h))));
+    return 256 * now < squared_height(m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]]);
+  }
+
+  // The square of the height over the longest edge, as a part of that edge.
+  static double squared_height(const Point_3& p, const Point_3& q, const Point_3& r)
+  {
+    const double longest = (std::max)({ squared_distance(p, q), squared_distance(q, r), squared_distance(r, p) });
+    return longest > 0 ? cross_product(q - p, r - p).squared_length() / (longest * longest) : 0;
   }
 
   // The point at fraction t of the way from the first to the second vertex of an edge.

@@ -35,6 +35,9 @@ public:
   void push_edge(int e, double key) { push(e, key, m_edge_step, &Bucket::edges); }
   void push_vertex(int v, double key) { push(v, key, m_vertex_step, &Bucket::vertices); }
 
+  // Whether an edge is due in this step already.
+  bool is_due(int e) const { return m_edge_step[e] <= m_current; }
+
   // Goes to the next step that has something to do. Returns false if there is none.
   bool advance()
   {
@@ -61,10 +64,22 @@ public:
   // Everything still to come lies between these.
   double front() const { return m_current == 0 ? -std::numeric_limits<double>::infinity() : m_current * m_step; }
   double step() const { return m_step; }
-  double step_end() const { return (m_current + 1) * m_step; }
+
+  // Whether a key belongs to this step. Rounding has one opinion about that everywhere: a key that does not is due later.
+  bool is_now(double key) const { return step_of(key) <= m_current; }
+
+  // A key that belongs to a later step.
+  double next_key() const { return (m_current + 1.5) * m_step; }
 
   // The next edge of this step, or -1.
   int pop_edge() { return pop(m_buckets[m_current].edges, m_edges_done, m_edge_step); }
+
+  // The edge that comes n entries after the next one, or -1. It need not come if it was pushed for an earlier step.
+  int edge_ahead(std::size_t n) const
+  {
+    const std::vector<int>& edges = m_buckets[m_current].edges;
+    return m_edges_done + n < edges.size() ? edges[m_edges_done + n] : -1;
+  }
 
   // The next vertex of this step, or -1.
   int pop_vertex() { return pop(m_buckets[m_current].vertices, m_vertices_done, m_vertex_step); }

@@ -30,6 +30,7 @@ FT square_root(const FT& x)
 
 template <typename FT>
 FT absolute(const FT& x) { return x < FT(0) ? FT(-x) : x; }
+inline double absolute(double x) { return std::fabs(x); }
 
 template <typename FT>
 double as_double(const FT& x) { return static_cast<double>(x); }

@@ -36,7 +36,8 @@ enum Vertex_passage : unsigned char
 //
 // The frame of halfedge h, which runs from vertex p to vertex q in the face (p, q, r), has its
 // origin at p, its x-axis along pq and the face in y >= 0; `apex[h]` is the place of r. A place on
-// an edge is its distance from the source of the edge's canonical halfedge `halfedge_of_edge[e]`.
+// an edge is its distance from the source of the edge's canonical halfedge `halfedge_of_edge[e]`, the
+// one of the larger number.
 //
 // Directions at a vertex are angles counterclockwise from its first halfedge `halfedge_of_vertex`.
 template <typename FT>
@@ -56,7 +57,6 @@ struct Unfolded_mesh
 
   std::vector<Apex> apex;                 // per halfedge
   std::vector<FT> length;                 // per edge
-  std::vector<FT> inverse_length;         // per edge, 0 for length 0
   std::vector<double> direction;          // per halfedge: its angle at its source
   std::vector<double> total_angle;        // per vertex
   std::vector<Vertex_passage> passage;    // per vertex
@@ -68,11 +68,14 @@ struct Unfolded_mesh
   explicit Unfolded_mesh(Indexed_triangle_mesh base)
     : Indexed_triangle_mesh(std::move(base))
   {
+    for(int h = 0; h < number_of_halfedges(); ++h)
+      if(is_canonical(h))
+        halfedge_of_edge[edge_of[h]] = h;
     set_lengths();
     set_angles();
   }
 
-  bool is_canonical(int h) const { return halfedge_of_edge[edge_of[h]] == h; }
+  bool is_canonical(int h) const { return opposite[h] < h; }     // also on the border, where opposite[h] is -1
 
   FT length_of(int h) const { return length[edge_of[h]]; }
 
@@ -111,10 +114,6 @@ private:
     length.resize(number_of_edges());
     for(int e = 0; e < number_of_edges(); ++e)
       length[e] = Difference(points[source(halfedge_of_edge[e])], points[target(halfedge_of_edge[e])]).norm();
-
-    inverse_length.resize(number_of_edges());
-    for(int e = 0; e < number_of_edges(); ++e)
-      inverse_length[e] = length[e] > FT(0) ? FT(FT(1) / length[e]) : FT(0);
 
     apex.resize(number_of_halfedges());
     for(int h = 0; h < number_of_halfedges(); ++h)
@@ -169,6 +168,16 @@ private:
 
   static double doubtful_angle() { return 1e-6; }
 };
+
+// Changes from the frame of h to the frame of next(h).
+template <typename FT>
+void to_next_frame(const Unfolded_mesh<FT>& m, int h, FT& x, FT& y)
+{
+  const FT l = m.length_of(h), n = m.length_of(Unfolded_mesh<FT>::next(h));
+  const FT vx = m.apex[h].back, vy = m.apex[h].y, dx = x - l;
+  x = (dx * vx + y * vy) / n;
+  y = (y * vx - dx * vy) / n;
+}
 
 } // namespace internal
 } // namespace Quad_meshing

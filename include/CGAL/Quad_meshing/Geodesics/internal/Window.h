@@ -75,12 +75,11 @@ struct Window
   FT b0, b1;
   FT x, y;
   FT sigma;
-  int origin;            // the pseudo-source: a vertex if >= 0, the source element ~origin otherwise
-  float key;             // at most the smallest distance within the window: when to propagate it
+  int origin : 29;       // the pseudo-source: a vertex if >= 0, the source element ~origin otherwise
+  bool linear : 1;
+  bool from_left : 1;
+  bool pending : 1;      // not propagated yet
   float error;           // a bound of the error of the distance, 0 unless windows were merged
-  bool linear;
-  bool from_left;
-  bool pending;          // not propagated yet
 
   FT distance(const FT& t) const
   {
@@ -88,6 +87,24 @@ struct Window
       return sigma + x * t;
     const FT d = t - x;
     return sigma + square_root(d * d + y * y);
+  }
+
+  // Whether the distance at t is more than d: the square root is spared.
+  bool is_beyond(const FT& t, const FT& d) const
+  {
+    const FT rest = d - sigma;
+    if(linear)
+      return x * t > rest;
+    return rest < FT(0) || (t - x) * (t - x) + y * y > rest * rest;
+  }
+
+  // The derivative of the distance at t.
+  FT slope(const FT& t) const
+  {
+    if(linear)
+      return x;
+    const FT d = t - x;
+    return d / square_root(d * d + y * y);
   }
 
   // Whether a gap of this width at the end b of the window may be closed, see Window_tolerances.
@@ -109,15 +126,6 @@ struct Window
       return x >= FT(0) ? distance(b0) : distance(b1);
     return x <= b0 ? distance(b0) : x >= b1 ? distance(b1) : FT(sigma + y);
   }
-
-  // The margin makes the key a lower bound in spite of rounding and of ends that move a little.
-  static float key_of(const FT& distance)
-  {
-    const float k = static_cast<float>(as_double(distance));
-    return k - 1e-6f * std::abs(k);
-  }
-
-  void set_key() { key = key_of(minimum()); }
 
   // The same window seen from the other end of the edge.
   void reverse(const FT& length)

@@ -10,8 +10,11 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_ENVELOPE_H
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_lists.h>
 
-#include <cstddef>
+#include <boost/config.hpp>
+
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -28,281 +31,283 @@ class Window_envelope
 {
 public:
   typedef Window<FT> W;
-  typedef std::vector<W> List;
+  typedef Window_lists<FT> Lists;
+  typedef Window_list<FT> List;
 
-  // Inserts the part of `w`, whose key is set, that is nearest. Returns whether any part of it is; those parts then
-  // are pending in the list, and `key` is the smallest of their keys.
-  bool insert(List& list, W& w, const FT& length, float& key)
+  enum Insertion
   {
-    const FT place = FT(Tol::place()) * length;
-    std::size_t i = 0;
-    if(! list.empty() && list.back().b1 <= w.b0)
-      i = list.size();
-    while(i < list.size() && list[i].b1 <= w.b0)
-      ++i;
-    std::size_t j = i;
-    while(j < list.size() && list[j].b0 < w.b1)
-      ++j;
-    adjust_ends(list, w, i, j, length);
-    while(i < j && list[i].b1 <= w.b0)
-      ++i;
-    while(j > i && list[j - 1].b0 >= w.b1)
-      --j;
-    if(! (w.b1 - w.b0 > place))
-      return false;
-
-    if(i == j)
-    {
-      fill_gap(list, i, w);
-      key = w.key;
-      return true;
-    }
-
-    // list[i..j[ overlap with w. Sweep over them.
-    m_pieces.clear();
-    m_has_new = false;
-    FT from = w.b0;
-    for(std::size_t k = i; k < j; ++k)
-    {
-      const W& old = list[k];
-      const FT l = (std::max)(from, old.b0), r = (std::min)(w.b1, old.b1);
-      if(old.b0 < l)
-        add_old(old, old.b0, l);
-      else if(l - from > place)
-        add_new(w, from, l);
-      share(w, old, l, r, place);
-      if(r < old.b1)
-        add_old(old, r, old.b1);
-      from = r;
-    }
-    if(w.b1 - from > place)
-      add_new(w, from, w.b1);
-    if(! m_has_new)
-      return false;
-
-    return replace(list, i, j, key);
-  }
-
-private:
-  typedef Window_tolerances<FT> Tol;
-
-  // A piece of the new list: of the new window, or of the old one whose end it follows.
-  struct Piece
-  {
-    W window;
-    bool is_new;
+    NOTHING,     // w is nowhere nearer
+    ALL,         // all of w is in the list, its ends perhaps moved a little
+    PARTS        // `nearest_part()` is the smallest distance of the parts that are
   };
 
-  // Inserts w, which overlaps with nothing, before list[i]: by far the most frequent case.
-  void fill_gap(List& list, std::size_t i, W& w) const
-  {
-    const bool joins_left = i > 0 && can_join(list[i - 1], w);
-    const bool joins_right = i < list.size() && can_join(w, list[i]);
-    if(joins_left)
-    {
-      w.b0 = list[i - 1].b0;
-      w.key = (std::min)(w.key, list[i - 1].key);
-    }
-    if(joins_right)
-    {
-      w.b1 = list[i].b1;
-      w.key = (std::min)(w.key, list[i].key);
-    }
-    if(joins_left && joins_right)
-    {
-      list[i - 1] = w;
-      list.erase(list.begin() + i);
-    }
-    else if(joins_left || joins_right)
-      list[joins_left ? i - 1 : i] = w;
-    else
-    {
-      if(list.size() == list.capacity())
-        list.reserve(list.empty() ? first_capacity() : list.size() + list.size() / 2);
-      list.insert(list.begin() + i, w);
-    }
-  }
-
-  static std::size_t first_capacity() { return 4; }
-
-  // Moves the ends of w to places where something ends already, when they are that close.
-  void adjust_ends(const List& list, W& w, std::size_t i, std::size_t j, const FT& length) const
+  // Inserts the part of `w` that is nearest. Windows that come in their order along the edge, or against it, are
+  // found a place sooner if `hint` is kept from one to the next.
+  BOOST_FORCEINLINE Insertion insert(Lists& lists, List& list, int& hint, W& w, const FT& length)
   {
     const FT place = FT(Tol::place()) * length;
+    int i = (std::min)(hint, list.size);
+    while(i > 0 && list[i - 1].b1 > w.b0)
+      --i;
+    while(i < list.size && list[i].b1 <= w.b0)
+      ++i;
+    int j = i;
+    while(j < list.size && list[j].b0 < w.b1)
+      ++j;
 
-    if(i < list.size() && list[i].b0 < w.b0)
+    // Move the ends of w to places where something ends already, when they are that close.
+    if(i < j && list[i].b0 < w.b0)
     {
       if(w.b0 - list[i].b0 <= place)
         w.b0 = list[i].b0;
       else if(list[i].b1 - w.b0 <= place)
-        w.b0 = list[i].b1;
+        w.b0 = list[i++].b1;
     }
     else
     {
-      const FT left = i > 0 ? list[i - 1].b1 : FT(0);
-      if(w.closes_gap(w.b0 - left, w.b0, length))
+      const FT left = i > 0 ? list[i - 1].b1 : FT(0), gap = w.b0 - left;
+      if(w.closes_gap(gap, w.b0, length))
         w.b0 = left;
     }
-
-    if(j > 0 && list[j - 1].b1 > w.b1 && list[j - 1].b0 < w.b1)
+    if(i < j && list[j - 1].b1 > w.b1)
     {
       if(list[j - 1].b1 - w.b1 <= place)
         w.b1 = list[j - 1].b1;
       else if(w.b1 - list[j - 1].b0 <= place)
-        w.b1 = list[j - 1].b0;
+        w.b1 = list[--j].b0;
     }
     else
     {
-      const FT right = j < list.size() ? list[j].b0 : length;
-      if(w.closes_gap(right - w.b1, w.b1, length))
+      const FT right = j < list.size ? list[j].b0 : length, gap = right - w.b1;
+      if(w.closes_gap(gap, w.b1, length))
         w.b1 = right;
     }
-  }
+    if(! (w.b1 - w.b0 > place))
+      return NOTHING;
 
-  void add_old(const W& old, const FT& b0, const FT& b1) { add(old, b0, b1, false); }
-  void add_new(const W& w, const FT& b0, const FT& b1) { add(w, b0, b1, true); m_has_new = true; }
-
-  void add(const W& w, const FT& b0, const FT& b1, bool is_new)
-  {
-    if(! m_pieces.empty() && m_pieces.back().is_new == is_new && m_pieces.back().window.b1 == b0 &&
-       (is_new || m_last_old == &w))
-      m_pieces.back().window.b1 = b1;
-    else
+    hint = i;
+    if(i < j)
     {
-      m_pieces.push_back(Piece{ w, is_new });
-      m_pieces.back().window.b0 = b0;
-      m_pieces.back().window.b1 = b1;
+      if(j - i > 1 || ! meet(list[i], w, place))
+        return insert_overlapping(lists, list, hint, j, w, length);
+      if(list[i].b1 <= w.b0)
+        ++hint;
     }
-    if(! is_new)
-      m_last_old = &w;
+    fill_gap(lists, list, hint, w);
+    return ALL;
   }
 
-  // -1 if the new window is nearer at t, 1 if the old one is, 0 if they tie.
-  static int compare(const W& w, const W& old, const FT& t)
-  {
-    const FT d = old.distance(t), difference = w.distance(t) - d;
-    const FT tie = FT(Tol::tie()) * absolute(d);
-    return difference < -tie ? -1 : difference > tie ? 1 : 0;
-  }
+  const FT& nearest_part() const { return m_nearest; }
 
-  // Divides [l, r] among the two windows.
-  void share(const W& w, const W& old, const FT& l, const FT& r, const FT& place)
+private:
+  typedef Window_tolerances<FT> Tol;
+
+  // A piece of the new list: of the new window, or of one of the old ones.
+  struct Piece
   {
-    if(! (l < r))
+    int old;        // its number among the old ones, -1 for the new one
+    bool is_new;    // contains a part of the new one
+    FT b0, b1;
+  };
+
+  // Inserts w, which overlaps with nothing, before list[i]: by far the most frequent case.
+  BOOST_FORCEINLINE void fill_gap(Lists& lists, List& list, int& i, W& w) const
+  {
+    const bool joins_left = i > 0 && can_join(list[i - 1], list[i - 1].b1, w, w.b0);
+    const bool joins_right = i < list.size && can_join(w, w.b1, list[i], list[i].b0);
+    if(! joins_left && ! joins_right)
+    {
+      lists.insert(list, i) = w;
       return;
-    const int at_l = compare(w, old, l), at_r = compare(w, old, r);
+    }
+    if(joins_left)
+      w.b0 = list[--i].b0;
+    if(joins_right)
+      w.b1 = list[i + joins_left].b1;
+    *lists.splice(list, i, joins_left + joins_right, 1) = w;
+  }
+
+  // The simple case of two windows that overlap at one end of each, where a ridge of the distance runs between them:
+  // each keeps what is on its side. Returns false if it is not that simple.
+  static bool meet(W& old, W& w, const FT& place)
+  {
+    const bool old_is_first = old.b0 < w.b0 && old.b1 < w.b1;
+    if(! old_is_first && ! (w.b0 < old.b0 && w.b1 < old.b1))
+      return false;
+    W &first = old_is_first ? old : w, &second = old_is_first ? w : old;
+    const FT l = second.b0, r = first.b1;
+    const FT first_l = first.distance(l), first_r = first.distance(r);
+    const FT rise_l = second.distance(l) - first_l, rise_r = second.distance(r) - first_r;
     FT z[2];
-    int n = equal_distance_places(w, old, l, FT(r - l), z);
-    if(n == 0 && at_l * at_r == -1)
-    {
-      z[0] = (r - l) / FT(2);
-      n = 1;
-    }
-    // The ends of the pieces, without those that would be too narrow.
-    FT cut[4] = { l, l, l, l };
-    int m = 1;
-    for(int k = 0; k < n; ++k)
-    {
-      const FT t = polished(w, old, FT(l + z[k]), l, r);
-      if(t - cut[m - 1] > place && r - t > place)
-        cut[m++] = t;
-    }
-    cut[m++] = r;
-    for(int k = 0; k + 1 < m; ++k)
-    {
-      int nearer;
-      if(m == 2 && at_l * at_r == 1)
-        nearer = at_l;
-      else
-        nearer = compare(w, old, FT((cut[k] + cut[k + 1]) / FT(2)));
-      if(nearer == -1)
-        add_new(w, cut[k], cut[k + 1]);
-      else
-        add_old(old, cut[k], cut[k + 1]);
-    }
+    if(! (rise_l > FT(0)) || ! changes_sign(rise_l, rise_r, FT(absolute(first_l) + absolute(first_r))) ||
+       equal_distance_places(first, second, l, FT(r - l), z) != 1)
+      return false;
+    const FT t = polished(first, second, FT(l + z[0]), l, r);
+    if(! (t - l > place && r - t > place))
+      return false;
+    first.b1 = t;
+    second.b0 = t;
+    return true;
   }
 
-  // The quadratic equation loses digits that one Newton step on the distances themselves gives back.
-  static FT polished(const W& w, const W& old, const FT& t, const FT& l, const FT& r)
+  // Inserts w, which overlaps with the windows i to j-1.
+  BOOST_NOINLINE Insertion insert_overlapping(Lists& lists, List& list, int& i, int j, W w, const FT& length)
   {
-    const FT slope = derivative(w, t) - derivative(old, t);
-    const FT s = t - (w.distance(t) - old.distance(t)) / slope;
-    return s > l && s < r ? s : t;
-  }
-
-  static FT derivative(const W& w, const FT& t)
-  {
-    if(w.linear)
-      return w.x;
-    const FT d = t - w.x;
-    return d / square_root(d * d + w.y * w.y);
-  }
-
-  // Puts the pieces in the place of list[i..j[, joins windows with one source, and sets keys.
-  bool replace(List& list, std::size_t i, std::size_t j, float& key)
-  {
-    // neighbours may join with the new pieces
-    if(i > 0 && m_pieces.front().is_new && can_join(list[i - 1], m_pieces.front().window))
+    const FT place = FT(Tol::place()) * length;
+    m_pieces.clear();
+    m_old.assign(list.begin() + i, list.begin() + j);
+    bool is_nearer = false;
+    FT from = w.b0;
+    for(int k = 0; k < j - i; ++k)
     {
-      m_pieces.front().window.b0 = list[i - 1].b0;
-      --i;
-    }
-    if(j < list.size() && m_pieces.back().is_new && can_join(m_pieces.back().window, list[j]))
-    {
-      m_pieces.back().window.b1 = list[j].b1;
-      ++j;
-    }
-    std::size_t n = 0;
-    for(std::size_t k = 0; k < m_pieces.size(); ++k)
-    {
-      const Piece& p = m_pieces[k];
-      if(n > 0 && (p.is_new || m_pieces[n - 1].is_new) && can_join(m_pieces[n - 1].window, p.window))
+      const W& old = m_old[k];
+      const FT l = (std::max)(from, old.b0), r = (std::min)(w.b1, old.b1);
+      if(old.b0 < l)
+        add(k, old.b0, l);
+      else if(l - from > place)
       {
-        m_pieces[n - 1].window.b1 = p.window.b1;
+        add(-1, from, l);
+        is_nearer = true;
+      }
+      is_nearer = share(w, k, l, r, place) || is_nearer;
+      if(r < old.b1)
+        add(k, r, old.b1);
+      from = r;
+    }
+    if(w.b1 - from > place)
+    {
+      add(-1, from, w.b1);
+      is_nearer = true;
+    }
+    if(! is_nearer)
+      return NOTHING;
+
+    // neighbours may join with the new pieces
+    Piece &front = m_pieces.front(), &back = m_pieces.back();
+    if(i > 0 && front.is_new && can_join(list[i - 1], list[i - 1].b1, w, front.b0))
+      front.b0 = list[--i].b0;
+    if(j < list.size && back.is_new && can_join(w, back.b1, list[j], list[j].b0))
+      back.b1 = list[j++].b1;
+    std::size_t n = 0;
+    for(const Piece& p : m_pieces)
+    {
+      if(n > 0 && (p.is_new || m_pieces[n - 1].is_new) &&
+         can_join(window(m_pieces[n - 1], w), m_pieces[n - 1].b1, window(p, w), p.b0))
+      {
+        m_pieces[n - 1].b1 = p.b1;
         m_pieces[n - 1].is_new = true;
       }
       else
         m_pieces[n++] = p;
     }
-    m_pieces.resize(n);
 
-    bool first = true;
-    for(Piece& p : m_pieces)
+    W* place_in_list = lists.splice(list, i, j - i, static_cast<int>(n));
+    bool is_first = true;
+    for(std::size_t k = 0; k < n; ++k)
     {
-      if(p.window.pending)
-        p.window.set_key();
-      if(p.is_new && (first || p.window.key < key))
+      const Piece& p = m_pieces[k];
+      W& v = *place_in_list++;
+      v = window(p, w);
+      v.b0 = p.b0;
+      v.b1 = p.b1;
+      if(p.is_new)
       {
-        key = p.window.key;
-        first = false;
+        const FT d = v.minimum();
+        if(is_first || d < m_nearest)
+          m_nearest = d;
+        is_first = false;
       }
     }
-
-    const std::size_t old_size = j - i;
-    const std::size_t common = (std::min)(n, old_size);
-    for(std::size_t k = 0; k < common; ++k)
-      list[i + k] = m_pieces[k].window;
-    if(n < old_size)
-      list.erase(list.begin() + (i + n), list.begin() + j);
-    else if(n > old_size)
-    {
-      const std::size_t tail = list.size() - j;
-      list.resize(list.size() + (n - old_size));
-      std::move_backward(list.begin() + j, list.begin() + (j + tail), list.end());
-      for(std::size_t k = common; k < n; ++k)
-        list[i + k] = m_pieces[k].window;
-    }
-    return true;
+    return PARTS;
   }
 
-  static bool can_join(const W& a, const W& b)
+  const W& window(const Piece& p, const W& w) const { return p.old == -1 ? w : m_old[p.old]; }
+
+  void add(int old, const FT& b0, const FT& b1)
   {
-    return a.b1 == b.b0 && a.pending && b.pending && have_same_source(a, b);
+    if(! m_pieces.empty() && m_pieces.back().old == old && m_pieces.back().b1 == b0)
+      m_pieces.back().b1 = b1;
+    else
+      m_pieces.push_back(Piece{ old, old == -1, b0, b1 });
+  }
+
+  // -1 if the first distance is smaller, 1 if the second one is, 0 if they tie.
+  static int compare(const FT& d, const FT& old)
+  {
+    const FT tie = FT(Tol::tie()) * absolute(old), difference = d - old;
+    return difference < -tie ? -1 : difference > tie ? 1 : 0;
+  }
+
+  // Whether a difference of distances changes its sign between two places, and not by a rounding error where the distances
+  // touch each other: then it is far smaller at one place than at the other.
+  static bool changes_sign(const FT& at_l, const FT& at_r, const FT& distance)
+  {
+    if((at_l < FT(0)) == (at_r < FT(0)))
+      return false;
+    const FT a = absolute(at_l), b = absolute(at_r), ratio = FT(0.01);
+    return a > ratio * b && b > ratio * a && a > FT(Tol::tie()) * distance;
+  }
+
+  // Divides [l, r] among the new window and an old one. Returns whether any part is for the new one.
+  bool share(const W& w, int k, const FT& l, const FT& r, const FT& place)
+  {
+    if(! (l < r))
+      return false;
+    const W& old = m_old[k];
+    const FT width = r - l;
+    const FT w_l = w.distance(l), w_r = w.distance(r), old_l = old.distance(l), old_r = old.distance(r);
+    const int at_l = compare(w_l, old_l), at_r = compare(w_r, old_r);
+    // The ends of the pieces, without those that would be too narrow.
+    FT cut[4] = { l, r, r, r };
+    int m = 1, n = 0;
+    // the difference cannot change faster than 2
+    if(at_l * at_r != 1 || absolute(w_l - old_l) + absolute(w_r - old_r) < FT(2) * width)
+    {
+      FT z[2];
+      n = equal_distance_places(w, old, l, width, z);
+      if(n == 0 && at_l * at_r == -1)
+      {
+        z[0] = width / FT(2);
+        n = 1;
+      }
+      for(int c = 0; c < n; ++c)
+      {
+        const FT t = polished(w, old, FT(l + z[c]), l, r);
+        if(t - cut[m - 1] > place && r - t > place)
+          cut[m++] = t;
+      }
+      cut[m] = r;
+    }
+    // what is nearer at the ends tells about the pieces
+    const bool is_clear = (m == 1 && at_l * at_r == 1) ||
+                          (m == 2 && n == 1 && changes_sign(FT(w_l - old_l), FT(w_r - old_r), FT(absolute(old_l) + absolute(old_r))));
+    bool any = false;
+    for(int c = 0; c < m; ++c)
+    {
+      const FT t = (cut[c] + cut[c + 1]) / FT(2);
+      const int nearer = ! is_clear ? compare(w.distance(t), old.distance(t)) : c == 0 ? at_l : at_r;
+      add(nearer == -1 ? -1 : k, cut[c], cut[c + 1]);
+      any = any || nearer == -1;
+    }
+    return any;
+  }
+
+  // The quadratic equation loses digits that one Newton step on the distances themselves gives back.
+  static FT polished(const W& w, const W& old, const FT& t, const FT& l, const FT& r)
+  {
+    const FT s = t - (w.distance(t) - old.distance(t)) / (w.slope(t) - old.slope(t));
+    return s > l && s < r ? s : t;
+  }
+
+  // Whether `a`, which ends at a_end, and `b`, which begins at b_begin, are one window.
+  static bool can_join(const W& a, const FT& a_end, const W& b, const FT& b_begin)
+  {
+    return a.origin == b.origin && a_end == b_begin && a.pending && b.pending && have_same_source(a, b);
   }
 
   std::vector<Piece> m_pieces;
-  const W* m_last_old = nullptr;
-  bool m_has_new = false;
+  std::vector<W> m_old;
+  FT m_nearest;
 };
 
 } // namespace internal

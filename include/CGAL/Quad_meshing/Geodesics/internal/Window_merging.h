@@ -26,13 +26,6 @@ namespace internal {
 // only the first part of the sum is wrong. So errors add up only where windows are merged again; each
 // window carries the sum, and the farther the front is, the larger it may be.
 
-// The derivative of the distance along the edge.
-template <typename FT>
-FT distance_slope(const Window<FT>& w, const FT& t)
-{
-  return w.linear ? w.x : FT((t - w.x) / square_root((t - w.x) * (t - w.x) + w.y * w.y));
-}
-
 // The largest difference between two windows of one kind within `old`.
 template <typename FT>
 double largest_difference(const Window<FT>& merged, const Window<FT>& old)
@@ -55,7 +48,7 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
   const FT width = r.b1 - l.b0, at_l = l.distance(l.b0), at_r = r.distance(r.b1), rise = at_r - at_l;
   if(! (absolute(rise) < width))
     return false;
-  const FT slope_l = distance_slope(l, l.b0), slope_r = distance_slope(r, r.b1);
+  const FT slope_l = l.slope(l.b0), slope_r = r.slope(r.b1);
   merged = l;
   merged.b1 = r.b1;
   if(l.linear)
@@ -95,7 +88,6 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
   if(! (with_rounding <= allowed * (nearest - with_rounding)))
     return false;
   merged.error = static_cast<float>(with_rounding);
-  merged.set_key();
   return true;
 }
 

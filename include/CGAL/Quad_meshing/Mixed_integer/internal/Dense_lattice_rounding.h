@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Minimizes E(y) = 1/2 (y - y*)' S (y - y*) over integers of any number that a dense S allows:
-// independent components one by one; a component of moderate size as a whole, with a proof or a bound;
-// a large one in overlapping blocks, each decoded with all other integers fixed, until no block gains.
+// Minimizes E(y) = 1/2 (y - y*)' S (y - y*) over integers of any number that a dense S allows, independent components
+// one by one: as a whole, with a proof or a bound, unless a component is very large; and, if there is no proof, in overlapping
+// blocks, each decoded with all other integers fixed, until no block gains.
 class Dense_lattice_rounding
 {
 public:
@@ -44,9 +44,7 @@ public:
     for(const std::vector<int>& component : components())
     {
       const double share = m_maximum_nodes * component.size() / m_target.size();
-      const Lattice_result part = (component.size() <= whole_size)
-        ? decode(component, m_target, start, share)
-        : decode_in_blocks(component, start, share);
+      const Lattice_result part = decode(component, start, share);
       for(std::size_t i = 0; i < component.size(); ++i)
         result.y[component[i]] = part.y[i];
       result.cost += part.cost;
@@ -60,7 +58,7 @@ public:
 private:
   enum
   {
-    whole_size = 200, // the largest number of integers decoded as a whole
+    whole_size = 400, // the largest number of integers decoded as a whole
     block_size = 40
   };
 
@@ -104,32 +102,56 @@ private:
     return block;
   }
 
-  Lattice_result decode(const std::vector<int>& component, const Eigen::VectorXd& target,
-                        const Eigen::VectorXd& start, double maximum_nodes) const
+  Lattice_result decode(const std::vector<int>& component, const Eigen::VectorXd& start, double maximum_nodes) const
   {
-    const Eigen::MatrixXd R = Eigen::LLT<Eigen::MatrixXd>(block_of(component)).matrixU();
-    const Eigen::VectorXd part_target = subvector(target, component);
-    Lattice_rounding rounding(R, part_target, maximum_nodes, m_go_further);
-    return rounding.run(subvector(start, component), true);
-  }
-
-  Lattice_result decode_in_blocks(const std::vector<int>& component, const Eigen::VectorXd& start,
-                                  double maximum_nodes) const
-  {
-    const int m = static_cast<int>(component.size());
+    // The rest goes into blocks if there is no proof: half in the given basis, half in the reduced one.
+    const double whole_fraction = 0.8;
     const Eigen::MatrixXd S = block_of(component);
     const Eigen::VectorXd target = subvector(m_target, component);
     Lattice_result result;
     result.y = subvector(start, component);
+    if(component.size() > whole_size)
+    {
+      result.nodes = improve_in_blocks(S, target, result.y, maximum_nodes);
+      result.cost = cost(S, result.y - target);
+      return result;
+    }
+    const Eigen::MatrixXd R = Eigen::LLT<Eigen::MatrixXd>(S).matrixU();
+    Lattice_rounding rounding(R, target, component.size() > block_size ? whole_fraction * maximum_nodes : maximum_nodes, m_go_further);
+    result = rounding.run(result.y, true);
+    if(result.is_optimal || component.size() <= block_size)
+      return result;
 
+    result.nodes += improve_in_blocks(S, target, result.y, (maximum_nodes - result.nodes) / 2);
+    const Eigen::MatrixXd& reduced = rounding.reduction().factor();
+    const Eigen::VectorXd reduced_target = rounding.reduction().coordinates(target);
+    Eigen::VectorXd z = rounding.reduction().coordinates(result.y).array().round();
+    result.nodes += improve_in_blocks(reduced.transpose() * reduced, reduced_target, z, maximum_nodes - result.nodes);
+    result.y = rounding.reduction().transformation() * z;
+    result.cost = cost(S, result.y - target);
+    return result;
+  }
+
+  static double cost(const Eigen::MatrixXd& S, const Eigen::VectorXd& difference)
+  {
+    return 0.5 * difference.dot(S * difference);
+  }
+
+  // Lowers 1/2 (y - y*)' S (y - y*) block by block, and returns the number of nodes visited.
+  double improve_in_blocks(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, Eigen::VectorXd& y, double maximum_nodes) const
+  {
+    const int m = static_cast<int>(y.size());
+    double nodes = 0.;
+    // Blocks overlap; so many of them per pass leave no integer out.
+    const int step = (std::max)(1, m / 60);
     // Each block may use as many nodes as let the passes end in time.
-    const double nodes_per_block = (std::max)(1000., maximum_nodes / (expected_passes * m));
-    Eigen::VectorXd gradient = S * (result.y - target);
+    const double nodes_per_block = (std::max)(1000., maximum_nodes * step / (expected_passes * m));
+    Eigen::VectorXd gradient = S * (y - target);
     bool has_gained = true;
-    while(has_gained && result.nodes < maximum_nodes && m_go_further())
+    while(has_gained && nodes < maximum_nodes && m_go_further())
     {
       has_gained = false;
-      for(int seed = 0; seed < m && result.nodes < maximum_nodes && m_go_further(); ++seed)
+      for(int seed = 0; seed < m && nodes < maximum_nodes && m_go_further(); seed += step)
       {
         const std::vector<int> block = block_around(S, seed);
         Eigen::MatrixXd S_block(block.size(), block.size());
@@ -137,31 +159,29 @@ private:
           for(std::size_t j = 0; j < block.size(); ++j)
             S_block(i, j) = S(block[i], block[j]);
         const Eigen::LLT<Eigen::MatrixXd> cholesky(S_block);
-        const Eigen::VectorXd y = subvector(result.y, block);
+        const Eigen::VectorXd old = subvector(y, block);
         const Eigen::VectorXd shift = cholesky.solve(subvector(gradient, block));
-        const Eigen::VectorXd block_target = y - shift;
-        const double old_cost = 0.5 * shift.dot(S_block * shift);
+        const Eigen::VectorXd block_target = old - shift;
+        const double old_cost = cost(S_block, shift);
         const Eigen::MatrixXd R = cholesky.matrixU();
         Lattice_rounding rounding(R, block_target, nodes_per_block, m_go_further);
-        const Lattice_result part = rounding.run(y, false);
-        result.nodes += part.nodes;
+        const Lattice_result part = rounding.run(old, false);
+        nodes += part.nodes;
         const double relative_gain = 1e-9;
         if(part.cost < old_cost * (1. - relative_gain))
         {
           has_gained = true;
           for(std::size_t i = 0; i < block.size(); ++i)
           {
-            const double step = part.y[i] - y[i];
-            result.y[block[i]] = part.y[i];
+            const double step = part.y[i] - old[i];
+            y[block[i]] = part.y[i];
             if(step != 0.)
               gradient += step * S.col(block[i]);
           }
         }
       }
     }
-    const Eigen::VectorXd d = result.y - target;
-    result.cost = 0.5 * d.dot(S * d);
-    return result;
+    return nodes;
   }
 
   // The integers most strongly coupled to one of them, and this one, in ascending order.

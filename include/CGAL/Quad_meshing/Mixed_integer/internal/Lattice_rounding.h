@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -35,16 +35,16 @@ struct Lattice_result
 
 // The closest-vector problem of a dense energy: min 1/2 (y - y*)' S (y - y*) over integer y.
 //
-// Reduces the lattice of R, S = R'R; takes the better of the nearest plane and a given start; then searches
-// trees pruned less and less for better points, and if the whole tree promises to fit in the limit, searches it,
-// which proves the optimum. Otherwise the rest of the nodes goes into a bound: a complete search that finds
-// nothing within a radius proves that no point lies there.
+// Reduces the lattice of R, S = R'R; takes the better of the nearest plane and a given start. If the whole tree promises
+// to fit in the limit it is searched, which proves the optimum. Otherwise trees pruned less and less are searched for
+// better points, and the rest of the nodes goes into a bound: a complete search that finds nothing within a
+// radius proves that no point lies there.
 class Lattice_rounding
 {
 public:
   Lattice_rounding(const Eigen::MatrixXd& R, const Eigen::VectorXd& target, double maximum_nodes,
                    const std::function<bool()>& go_further)
-    : m_R(R), m_target(target), m_maximum_nodes(maximum_nodes), m_go_further(go_further)
+    : m_R(R), m_target(target), m_maximum_nodes(maximum_nodes), m_go_further(go_further), m_reduction(R)
   {}
 
   Lattice_result run(const Eigen::VectorXd& start, bool wants_bound)
@@ -57,98 +57,135 @@ public:
       origin[i] = nearest_integer(m_target[i]);
     const Eigen::VectorXd target = m_target - origin;
 
-    Lattice_reduction reduction(m_R);
-    reduction.run(block_size, tours, m_go_further);
-    Lattice_enumeration enumeration(reduction.factor(), reduction.coordinates(target));
+    m_reduction.run(block_size, tours, m_go_further);
+    Lattice_enumeration enumeration(m_reduction.factor(), m_reduction.coordinates(target));
 
     Eigen::VectorXd best = enumeration.nearest_plane();
-    double radius = enumeration.squared_distance(best);
-    const Eigen::VectorXd z = reduction.coordinates(start - origin).array().round();
+    m_radius = enumeration.squared_distance(best);
+    const Eigen::VectorXd z = m_reduction.coordinates(start - origin).array().round();
     const double start_radius = enumeration.squared_distance(z);
-    if(start_radius < radius)
+    if(start_radius < m_radius)
     {
       best = z;
-      radius = start_radius;
+      m_radius = start_radius;
+    }
+
+    if(!wants_bound)
+      search(enumeration, best);
+    else
+    {
+      const double probe_fraction = 0.01;
+      prove(enumeration, best, probe_fraction * m_maximum_nodes);
+      if(m_bound < m_radius && !is_within_reach(enumeration, m_maximum_nodes - enumeration.nodes()))
+        search(enumeration, best);
+      prove(enumeration, best, m_maximum_nodes);
     }
 
     Lattice_result result;
-    double bound = 0.;
-    result.is_optimal = search(enumeration, best, radius);
-    if(result.is_optimal)
-      bound = radius;
-    else if(wants_bound)
-    {
-      bound = prove_bound(enumeration, best, radius);
-      result.is_optimal = (bound >= radius);
-    }
-
-    result.y = origin + reduction.transformation() * best;
+    result.is_optimal = m_bound >= m_radius;
+    result.y = origin + m_reduction.transformation() * best;
     const Eigen::VectorXd d = m_R * (result.y - m_target);
     result.cost = 0.5 * d.squaredNorm();
     // Sums of squares in the search carry round-off; it must not lift the bound above the truth.
     const double round_off = 1e-9;
-    result.cost_bound = (std::min)(result.cost, 0.5 * bound * (1. - round_off));
-    if(result.is_optimal)
-      result.cost_bound = result.cost;
+    result.cost_bound = result.is_optimal ? result.cost : (std::min)(result.cost, 0.5 * m_bound * (1. - round_off));
     result.nodes = enumeration.nodes();
     return result;
   }
 
+  // The basis that the search ran in.
+  const Lattice_reduction& reduction() const { return m_reduction; }
+
 private:
-  // Returns true if `best` is proven to be the closest point.
-  bool search(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double& radius)
+  // Searches trees pruned less and less, as long as the next one could not as well be searched as a whole.
+  void search(Lattice_enumeration& enumeration, Eigen::VectorXd& best)
   {
     const double pruning_exponents[] = { 1., 0.7, 0.5, 0.35 };
     const double pruned_fraction = 0.12; // of all nodes, per pruned search
     for(double exponent : pruning_exponents)
     {
-      if(enumeration.expected_nodes(radius) <= pruned_fraction * m_maximum_nodes)
+      if(m_correction * enumeration.expected_nodes(m_radius) <= pruned_fraction * m_maximum_nodes)
         break;
       enumeration.set_pruning(exponent);
-      enumeration.run(radius, pruned_fraction * m_maximum_nodes, m_go_further);
+      enumeration.run(m_radius, pruned_fraction * m_maximum_nodes, m_go_further);
       if(enumeration.found())
         best = enumeration.best();
     }
     const double left = m_maximum_nodes - enumeration.nodes();
-    if(enumeration.expected_nodes(radius) > estimate_slack * left)
-      return false;
+    if(!is_within_reach(enumeration, left))
+      return;
     enumeration.set_pruning(0.);
-    const bool complete = enumeration.run(radius, left, m_go_further);
+    if(enumeration.run(m_radius, left, m_go_further))
+      m_bound = (std::numeric_limits<double>::max)();
     if(enumeration.found())
       best = enumeration.best();
-    return complete;
   }
 
-  // Returns a squared radius within which no point lies, other than `best` on its border.
-  double prove_bound(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double& radius)
+  // Whether a search of the whole tree promises to take no more than so many nodes.
+  bool is_within_reach(const Lattice_enumeration& enumeration, double nodes) const
+  {
+    // The estimate may be too large by this factor before it is believed.
+    const double estimate_slack = 1.25;
+    return m_correction * enumeration.expected_nodes(m_radius) <= estimate_slack * nodes;
+  }
+
+  // Searches balls of growing radius as a whole, until `nodes` have been visited in all or the optimum is proven. How much larger their
+  // trees are than the Gaussian heuristic says (much, if the basis is almost orthogonal) tells how far the next radius may reach.
+  void prove(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double nodes)
+  {
+    const double growth = 10.;       // of the trees from one ball to the next
+    const double least_growth = 1.5; // less of it is not worth a search
+    const double share = 0.8;        // of the nodes left, in view of the error of estimates
+    while(m_bound < m_radius && m_go_further())
+    {
+      const double left = nodes - enumeration.nodes();
+      const bool is_last = is_within_reach(enumeration, left);
+      const double next = is_last ? m_radius
+        : radius_of_tree(enumeration, (std::min)(m_tree, share * left / m_correction));
+      const double expected = enumeration.expected_nodes(next);
+      if(!is_last && !(expected > least_growth * enumeration.expected_nodes(m_bound)))
+        return;
+      double reach = next;
+      const double before = enumeration.nodes();
+      enumeration.set_pruning(0.);
+      const bool is_complete = enumeration.run(reach, left, m_go_further);
+      if(enumeration.found())
+      {
+        best = enumeration.best();
+        m_radius = reach;
+      }
+      if(!is_complete)
+        return;
+      m_bound = reach;
+      m_correction = (std::max)(1., (enumeration.nodes() - before) / expected);
+      m_tree = growth * expected;
+    }
+  }
+
+  // The squared radius, at most that of the best point, whose tree is expected to have so many nodes.
+  double radius_of_tree(const Lattice_enumeration& enumeration, double nodes) const
   {
     const int steps = 40;
-    const double share = 0.8; // of the nodes left, in view of the error of estimates
-    const double left = m_maximum_nodes - enumeration.nodes();
-    double low = 0., high = radius;
+    if(enumeration.expected_nodes(m_radius) <= nodes)
+      return m_radius;
+    double low = 0., high = m_radius;
     for(int i = 0; i < steps; ++i)
     {
       const double middle = 0.5 * (low + high);
-      (enumeration.expected_nodes(middle) > share * left ? high : low) = middle;
+      (enumeration.expected_nodes(middle) > nodes ? high : low) = middle;
     }
-    double reach = low;
-    enumeration.set_pruning(0.);
-    const bool complete = enumeration.run(reach, left, m_go_further);
-    if(enumeration.found())
-    {
-      best = enumeration.best();
-      radius = reach;
-    }
-    return complete ? reach : 0.;
+    return low;
   }
-
-  // The estimate of the size of a tree may be too large by this factor before it is believed.
-  static constexpr double estimate_slack = 1.25;
 
   const Eigen::MatrixXd& m_R;
   const Eigen::VectorXd& m_target;
-  double m_maximum_nodes;
+  const double m_maximum_nodes;
   const std::function<bool()>& m_go_further;
+  Lattice_reduction m_reduction;
+  double m_radius = 0.;     // the squared distance of the best point
+  double m_bound = 0.;      // no point but the best one is nearer
+  double m_tree = 100.;     // the size of the next one to search as a whole, by the Gaussian heuristic
+  double m_correction = 1.; // of the Gaussian heuristic, as observed
 };
 
 } // namespace internal

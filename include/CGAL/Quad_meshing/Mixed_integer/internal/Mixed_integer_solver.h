@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_MIXED_INTEGER_SOLVER_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_MIXED_INTEGER_SOLVER_H
 
+#include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Branch_and_bound.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_greedy_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_lattice_rounding.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_schur_complement.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
@@ -119,14 +119,24 @@ private:
       m_ran = sparse_greedy_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options);
       return;
     }
-    LinearSolver solver;
-    Integer_schur_complement<LinearSolver> schur;
-    m_ran = schur.compute(m_reduced, solver, m_solution.factorizations);
+    Integer_energy<LinearSolver> schur;
+    m_ran = compute(schur, m_reduced.integers);
     if(!m_ran)
       return;
-    m_solution.relaxed_energy = schur.relaxed_energy();
+    m_solution.relaxed_energy = m_reduced.constant + schur.relaxed_energy();
     m_z = schur.complete(dense_greedy_rounding(schur.cholesky(), schur.target()));
     m_solution.dense_roundings = schur.size();
+  }
+
+  // Reduces the energy to that of some of the free variables. Returns false if it is not convex.
+  bool compute(Integer_energy<LinearSolver>& schur, const std::vector<int>& kept)
+  {
+    std::vector<bool> is_kept(m_reduced.size(), false);
+    for(int v : kept)
+      is_kept[v] = true;
+    const bool is_convex = schur.compute(m_reduced.A, m_reduced.b, is_kept);
+    m_solution.factorizations += schur.number_of_factorizations();
+    return is_convex;
   }
 
   // Asks the visitor and the clock.
@@ -147,12 +157,11 @@ private:
       run_greedy();
       return;
     }
-    LinearSolver solver;
-    Integer_schur_complement<LinearSolver> schur;
-    m_ran = schur.compute(m_reduced, solver, m_solution.factorizations);
+    Integer_energy<LinearSolver> schur;
+    m_ran = compute(schur, m_reduced.integers);
     if(!m_ran)
       return;
-    m_solution.relaxed_energy = schur.relaxed_energy();
+    m_solution.relaxed_energy = m_reduced.constant + schur.relaxed_energy();
 
     const std::function<bool()> go_further = limits();
     const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
@@ -161,7 +170,7 @@ private:
     m_z = schur.complete(result.y);
     m_solution.nodes = result.nodes;
     m_is_proven = result.is_optimal;
-    m_solution.lower_bound = schur.relaxed_energy() + result.cost_bound;
+    m_solution.lower_bound = m_reduced.constant + schur.relaxed_energy() + result.cost_bound;
   }
 
   // The general methods of thesis Ch. 4.
@@ -214,30 +223,20 @@ private:
       return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
                   "Cutting planes alone need a linear objective; outer approximation takes convex ones.");
     // The other variables follow from those that matter to the search.
-    Reduced_problem kept = m_reduced;
-    kept.integers = bounded.kept;
-    kept.reals.clear();
-    std::vector<char> is_kept(m_reduced.size(), 0);
-    for(int v : bounded.kept)
-      is_kept[v] = 1;
-    for(int v = 0; v < m_reduced.size(); ++v)
-      if(!is_kept[v])
-        kept.reals.push_back(v);
-    LinearSolver solver;
-    Integer_schur_complement<LinearSolver> schur;
-    m_ran = schur.compute(kept, solver, m_solution.factorizations);
+    Integer_energy<LinearSolver> schur;
+    m_ran = compute(schur, bounded.kept);
     if(!m_ran || bounded.size() == 0)
     {
       if(m_ran)
       {
         m_z = schur.complete(schur.target());
-        m_solution.relaxed_energy = m_solution.lower_bound = schur.relaxed_energy();
+        m_solution.relaxed_energy = m_solution.lower_bound = m_reduced.constant + schur.relaxed_energy();
       }
       return finish();
     }
 
     const std::function<bool()> go_further = limits();
-    const double constant = schur.relaxed_energy();
+    const double constant = m_reduced.constant + schur.relaxed_energy();
     Eigen::VectorXd incumbent;
     double radius = std::numeric_limits<double>::infinity();
     if(!m_problem.has_inequalities())

@@ -80,6 +80,8 @@ inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& 
   for(std::size_t i = 0; i < rows.size(); ++i)
     position[rows[i]] = static_cast<int>(i);
   Eigen::SparseMatrix<double> result(rows.size(), columns.size());
+  if(columns.empty()) // for which `reserve()` leaves a matrix that cannot be compressed
+    return result;
   Eigen::VectorXi counts = Eigen::VectorXi::Zero(columns.size());
   for(std::size_t j = 0; j < columns.size(); ++j)
     for(Eigen::SparseMatrix<double>::InnerIterator it(A, columns[j]); it; ++it)

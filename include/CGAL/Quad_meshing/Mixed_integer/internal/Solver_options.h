@@ -23,8 +23,8 @@ struct Solver_options
 {
   Rounding_method method = GREEDY_ROUNDING;
   double constraint_tolerance = 1e-6;
-  double rounding_tolerance = 1e-4;
-  int gauss_seidel_iterations = 100000;
+  double rounding_tolerance = 3e-4;
+  int gauss_seidel_iterations = 20000;
   int conjugate_gradient_iterations = 10;
   bool simultaneous_rounding = true;
   int maximum_dense_integers = 1000;

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SPARSE_ROUNDING_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Condensed_solver.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Three_level_solver.h>
 
@@ -38,7 +39,7 @@ bool direct_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_i
   return true;
 }
 
-// Greedy rounding with a new factorization after each rounding.
+// Greedy rounding, one integer after the other, with the exact solution in between.
 template <typename LinearSolver>
 bool naive_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_integer_solution& solution,
                     const Solver_options& options)
@@ -56,14 +57,15 @@ bool naive_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_in
       least = (std::min)(least, distance_to_integer(solver.x()[i]));
     const std::vector<int>::iterator best = std::find_if(open.begin(), open.end(), [&](int i)
       { return distance_to_integer(solver.x()[i]) <= least + tie; });
-    solver.fix(*best, nearest_integer(solver.x()[*best]));
-    open.erase(best);
-    if(!solver.factorize(solution.factorizations))
+    if(!solver.fix_exactly(*best, nearest_integer(solver.x()[*best]), solution.factorizations))
       return false;
+    open.erase(best);
     ++solution.factorization_roundings;
     if(!options.go_further(1. - double(open.size()) / problem.integers.size()))
       return false;
   }
+  if(!problem.integers.empty() && !solver.factorize(solution.factorizations))
+    return false;
   z = solver.x();
   return true;
 }
@@ -77,16 +79,17 @@ template <typename LinearSolver>
 bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
                             Mixed_integer_solution& solution, const Solver_options& options)
 {
-  typedef Three_level_solver<LinearSolver> Solver;
+  typedef Condensed_solver<LinearSolver> Solver;
+  typedef Three_level_solver<LinearSolver> Levels;
   // Local updates leave smooth errors below their tolerance. They add up; a new factorization after this
   // fraction of all roundings takes them away. It also is the better preconditioner from then on.
   const double refresh_fraction = 0.1;
 
-  Solver solver(problem.A, problem.b, options.rounding_tolerance, options.gauss_seidel_iterations,
+  Solver solver(problem, options.rounding_tolerance, options.gauss_seidel_iterations,
                 options.conjugate_gradient_iterations);
   if(!solver.initialize(solution.factorizations))
     return false;
-  solution.relaxed_energy = problem.energy(solver.x());
+  solution.relaxed_energy = problem.energy(solver.all());
 
   // Candidates by deviation, then index. Entries are stale if the deviation has changed since.
   typedef std::pair<double, int> Candidate;
@@ -96,15 +99,11 @@ bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
   {
     // Deviations are compared on a grid, for ties to be decided by index whatever the linear solver.
     const double grid = 1e-7;
-    deviation[i] = std::floor(distance_to_integer(solver.x()[i]) / grid) * grid;
+    deviation[i] = std::floor(distance_to_integer(solver.x(i)) / grid) * grid;
     candidates.push(Candidate(deviation[i], i));
   };
-  std::vector<char> is_integer(problem.size(), 0);
   for(int i : problem.integers)
-  {
-    is_integer[i] = 1;
     push(i);
-  }
 
   const int m = static_cast<int>(problem.integers.size());
   const int refresh_interval = (std::max)(1, static_cast<int>(refresh_fraction * m));
@@ -124,7 +123,7 @@ bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
       if(batch > 0 && (!options.simultaneous_rounding || sum + c.first >= 0.5))
         break;
       candidates.pop();
-      solver.fix(c.second, nearest_integer(solver.x()[c.second]));
+      solver.fix(c.second, nearest_integer(solver.x(c.second)));
       sum += c.first;
       ++batch;
     }
@@ -135,30 +134,31 @@ bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
     typename Solver::Level level;
     if(since_refresh >= refresh_interval && rounded < m)
     {
-      level = solver.factorize(solution.factorizations) ? Solver::FACTORIZATION : Solver::FAILED;
+      level = solver.factorize(solution.factorizations) ? Levels::FACTORIZATION : Levels::FAILED;
       since_refresh = 0;
     }
     else
       level = solver.update(solution.factorizations);
     switch(level)
     {
-      case Solver::GAUSS_SEIDEL: ++solution.gauss_seidel_roundings; break;
-      case Solver::CONJUGATE_GRADIENT: ++solution.conjugate_gradient_roundings; break;
-      case Solver::FACTORIZATION: ++solution.factorization_roundings; break;
+      case Levels::GAUSS_SEIDEL: ++solution.gauss_seidel_roundings; break;
+      case Levels::CONJUGATE_GRADIENT: ++solution.conjugate_gradient_roundings; break;
+      case Levels::FACTORIZATION: ++solution.factorization_roundings; break;
       default: return false;
     }
-    if(level != Solver::GAUSS_SEIDEL)
+    if(level != Levels::GAUSS_SEIDEL)
       since_refresh = 0;
-    for(int i : solver.changes())
-      if(is_integer[i] && !solver.is_fixed(i))
+    solver.visit_changes([&](int i)
+    {
+      if(!solver.is_fixed(i))
         push(i);
-    solver.clear_changes();
+    });
     if(!options.go_further(double(rounded) / m))
       return false;
   }
   if(!solver.factorize(solution.factorizations))
     return false;
-  z = solver.x();
+  z = solver.all();
   return true;
 }
 

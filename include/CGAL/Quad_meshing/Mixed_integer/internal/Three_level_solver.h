@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,7 +22,7 @@ namespace Quad_meshing {
 namespace internal {
 
 // Keeps the minimizer of 1/2 x'Ax - x'b up to date while variables are fixed one after the other
-// (thesis 5.2.2). A and b stay as they are: fixed variables are skipped, their values enter the residuals.
+// (thesis 5.2.2). Fixed variables are skipped, their values enter the residuals.
 //
 // Three levels, each taken when the one before has not converged:
 // 1. Gauss-Seidel steps on a queue of the variables next to a change,
@@ -84,6 +85,43 @@ public:
     enqueue_neighbors(i);
   }
 
+  // Changes an entry of A, which must be in its pattern, or of b; `update()` brings the variables up to date.
+  void add_to_matrix(int i, int j, double value)
+  {
+    m_A.coeffRef(i, j) += value;
+    if(i == j)
+      m_diagonal[i] += value;
+  }
+  void add_to_rhs(int i, double value)
+  {
+    m_b[i] += value;
+    m_allowed_steps += m_gauss_seidel_iterations;
+    enqueue(i);
+  }
+
+  // Fixes a variable and brings all others up to date, as exactly as a new factor would: steps along the columns of the
+  // inverse of the last factor, each made to leave alone what was fixed since then. Returns false if it cannot be done.
+  bool fix_exactly(int i, double value, int& factorizations)
+  {
+    // Every step costs as much as so many earlier ones; beyond this number a new factor is cheaper.
+    const std::size_t maximum_columns = 64;
+    if(m_columns.size() == maximum_columns && !factorize(factorizations))
+      return false;
+    Eigen::VectorXd w = m_factor.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(m_x.size(), i)));
+    for(const std::pair<int, Eigen::VectorXd>& c : m_columns)
+    {
+      w -= (w[c.first] / c.second[c.first]) * c.second;
+      w[c.first] = 0.; // without round-off
+    }
+    if(!(w[i] > 0.))
+      return false;
+    m_x += ((value - m_x[i]) / w[i]) * w;
+    m_x[i] = value;
+    m_is_fixed[i] = 1;
+    m_columns.emplace_back(i, std::move(w));
+    return true;
+  }
+
   // Returns the level that converged.
   Level update(int& factorizations)
   {
@@ -100,6 +138,7 @@ public:
   bool factorize(int& factorizations)
   {
     clear_queue();
+    m_columns.clear();
     mark_all_changed();
     Eigen::SparseMatrix<double> fixed = m_A;
     Eigen::VectorXd rhs = m_b;
@@ -145,17 +184,19 @@ private:
       mark_changed(i);
   }
 
+  void enqueue(int i)
+  {
+    if(!m_is_fixed[i] && !m_is_queued[i])
+    {
+      m_is_queued[i] = 1;
+      m_queue.push_back(i);
+    }
+  }
+
   void enqueue_neighbors(int i)
   {
     for(Eigen::SparseMatrix<double>::InnerIterator it(m_A, i); it; ++it)
-    {
-      const int j = static_cast<int>(it.row());
-      if(!m_is_fixed[j] && !m_is_queued[j])
-      {
-        m_is_queued[j] = 1;
-        m_queue.push_back(j);
-      }
-    }
+      enqueue(static_cast<int>(it.row()));
   }
 
   void clear_queue()
@@ -237,11 +278,11 @@ private:
     }
   }
 
-  const Eigen::SparseMatrix<double>& m_A;
-  const Eigen::VectorXd& m_b;
-  const Eigen::VectorXd m_diagonal;
+  Eigen::SparseMatrix<double> m_A;
+  Eigen::VectorXd m_b, m_diagonal;
   LinearSolver m_factor;
   Eigen::VectorXd m_x;
+  std::vector<std::pair<int, Eigen::VectorXd> > m_columns; // the variables fixed exactly since the last factor, and their steps
   std::vector<char> m_is_fixed, m_is_queued, m_is_changed;
   std::vector<int> m_queue, m_changes;
   std::size_t m_head = 0;

@@ -90,9 +90,12 @@ public:
       problem.set_integer(static_cast<int>(i));
     Eigen::VectorXd z = solve_mixed_integer(problem, parameters::rounding_method(method)).x;
 
+    x = reduction.complete(z);
+    rounded_energy = reduction.energy(x) + constant;
+    if(!optimization.folded_faces(relaxed).empty())
+      return; // no order of things to be kept, nothing to be carried
     Separations separations(coordinates, grid_points(), is_aligned, relaxed);
     Separated_rounding separated(reduction.S, reduction.c, number);
-    const bool can_be_carried = optimization.folded_faces(relaxed).empty();
     const Eigen::VectorXd start = reduction.complete(reduction.integers_of(relaxed));
     const int most_attempts = 8;
     std::size_t known = 0;
@@ -102,8 +105,6 @@ public:
       separated.add(separations.list);
       number_of_broken_separations = separated.improve(z);
       x = reduction.complete(z);
-      if(!can_be_carried)
-        break;
       Eigen::VectorXd y = relaxed;
       is_carried = optimization.carry(y, x - start, coordinates.is_integer);
       if(is_carried)
@@ -111,7 +112,7 @@ public:
         x = with_integers_of(x, y);
         break;
       }
-      separations.discover(y);
+      separations.discover(y, 0.5); // things that came together; others are at least one unit apart
     }
     number_of_separations = static_cast<int>(separations.list.size());
     rounded_energy = reduction.energy(reduction.complete(z)) + constant;
@@ -205,9 +206,9 @@ private:
 
   bool untangle_seamless(Eigen::VectorXd& y)
   {
-    const int most_rings = 3;
-    return optimization.untangle(y, coordinates.is_integer) ||
-           optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), most_rings);
+    const int few_rings = 3, few_steps = 20; // translations move everything along the cuts: such steps are costly
+    return optimization.untangle(y, coordinates.is_integer, few_rings) ||
+           optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), few_rings, few_steps);
   }
 
   Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const

@@ -58,7 +58,7 @@ public:
 
   // Removes fold-overs by moving the variables that `is_fixed` does not hold; `x` becomes the best map that was found.
   // Returns whether none is left.
-  bool untangle(Eigen::VectorXd& x, const std::vector<bool>& is_fixed, int most_rings = 12)
+  bool untangle(Eigen::VectorXd& x, const std::vector<bool>& is_fixed, int most_rings = 12, int newton_steps = 60)
   {
     // a determinant below this share of the ideal one is worth a repair, though not folded
     const double least_determinant = 1e-2;
@@ -82,7 +82,7 @@ public:
           make_harmonic(y, open_folded_stars(y));
         }
         restrict_to(inside, is_fixed);
-        minimize(y, 60, true);
+        minimize(y, newton_steps, true);
         const std::size_t n = folded_faces(y).size();
         if(n < folded)
         {

@@ -79,13 +79,16 @@ public:
     : coordinates(coordinates), charts(coordinates.charts), mesh(coordinates.charts.mesh),
       is_grid_point(is_grid_point), is_aligned(is_aligned), reference(reference)
   {
-    discover(reference);
+    // Rounding moves a difference of two coordinates by about half a unit, seldom by more than one.
+    discover(reference, 1.5);
   }
 
-  // Adds what lies near to each other in another map.
-  void discover(const Eigen::VectorXd& map)
+  // Adds what lies nearer to each other than a number of grid units in another map. Around singular vertices the same faces are
+  // met in more than one position, of which the first counts: the smaller the reach, the fewer are missed.
+  void discover(const Eigen::VectorXd& map, double farthest)
   {
     x = map;
+    reach = farthest;
     reached_from.assign(mesh.number_of_faces(), -1);
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
       if(is_grid_point[v] && mesh.halfedge_of_vertex[v] != -1)
@@ -115,8 +118,7 @@ private:
   Eigen::VectorXd x;
   std::vector<int> reached_from; // per face
 
-  // In grid units. Rounding moves a difference of two coordinates by about half a unit, seldom by more than one.
-  static constexpr double reach = 1.5;
+  double reach = 0; // in grid units
 
   Form_2 corner_form(int corner) const
   {

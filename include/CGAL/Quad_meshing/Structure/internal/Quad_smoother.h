@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
 
+#include <CGAL/Quad_meshing/Structure/internal/Corner_energy.h>
 #include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
 #include <CGAL/Quad_meshing/Structure/internal/Reference_curves.h>
@@ -27,14 +28,8 @@ namespace internal {
 
 // Smooths a quad mesh on a reference surface, vertex by vertex.
 //
-// Every corner of a quad, with sides a and b and signed area D = (a x b).n of their parallelogram,
-// pays
-//     ( |a|^2 + |b|^2 + w (A + D^2/A) ) / (2 chi(D)),
-// where A is the area it should have (the mean of its neighbourhood). The first part is least for a
-// square corner of any size, the second for D = A. As long as D > 0, chi(D) = D: the energy is
-// infinite before a corner folds. Where a corner is folded, chi is the smooth positive function
-// (D + sqrt(D^2 + eps^2))/2 of Garanzha et al. 2021 (Foldover-free maps in 50 lines of code), which
-// keeps the energy finite and pulls the corner open.
+// Every corner of a quad pays its energy, which is least for a square corner with the mean area of its neighbourhood, see
+// `Corner_energy`.
 //
 // A vertex takes one Newton step in its tangent plane, or along its curve, against the energy of
 // the corners that it is a part of, is projected back, and stays there if that really helps and makes
@@ -45,8 +40,6 @@ public:
   typedef Indexed_quad_mesh::Point_3 Point_3;
   typedef Indexed_quad_mesh::Vector_3 Vector_3;
 
-  // Weight w of the area part against the shape part.
-  static constexpr double area_weight = 0.1;
   // A step may not make the smallest scaled Jacobian around its vertex smaller, if it is below this then.
   // What has just been unfolded needs more freedom.
   static constexpr double guarded_jacobian = 0.7, guarded_when_unfolding = 0.2;
@@ -331,52 +324,25 @@ private:
     std::sort(region_vertices.begin(), region_vertices.end());
   }
 
-  // One corner of a quad as a function of the position of one of its vertices: the squared lengths
-  // of its sides and its signed area, which is linear in the position.
-  struct Corner_term
-  {
-    double lengths, area;
-    Vector_3 lengths_gradient, area_gradient;
-    double lengths_curvature;
-  };
-
   // The three corners that move with the source of h.
-  void corner_terms(int h, const Point_3& p, std::array<Corner_term, 3>& terms) const
+  std::array<Corner_energy, 3> corners_at(int h, const Point_3& p) const
   {
     const std::array<int, 4>& c = m.corners[h / 4];
-    const Vector_3& n = m_normal[h / 4];
-    const Point_3 &p1 = m.points[c[(h + 1) & 3]], &p2 = m.points[c[(h + 2) & 3]], &p3 = m.points[c[(h + 3) & 3]];
-    const Vector_3 a = p1 - p, b = p3 - p, s = p2 - p1, t = p2 - p3;
-    const double aa = a * a, bb = b * b;
-    terms[0] = Corner_term{ aa + bb, cross_product(a, b) * n, -2 * (a + b), cross_product(n, p3 - p1), 4 };
-    terms[1] = Corner_term{ aa + s * s, cross_product(a, s) * n, -2 * a, cross_product(n, s), 2 };
-    terms[2] = Corner_term{ bb + t * t, cross_product(t, b) * n, -2 * b, cross_product(t, n), 2 };
-  }
-
-  static double corner_energy(double lengths, double area, double aim, double epsilon)
-  {
-    const double root = std::sqrt(area * area + epsilon * epsilon);
-    // area + root without cancellation
-    const double twice_chi = area > 0 ? area + root : epsilon * epsilon / (root - area);
-    return (lengths + area_weight * (aim + area * area / aim)) / twice_chi;
+    return Corner_energy::around(p, m.points[c[(h + 1) & 3]], m.points[c[(h + 2) & 3]], m.points[c[(h + 3) & 3]],
+                                 m_normal[h / 4]);
   }
 
   // The energy at p of all corners that move with v; infinite if one folds that may not (epsilon 0).
   double energy(int v, const Point_3& p, double epsilon) const
   {
     double sum = 0;
-    std::array<Corner_term, 3> terms;
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-    {
-      corner_terms(m_corner[i], p, terms);
-      const double aim = m_area[m_corner[i] / 4];
-      for(const Corner_term& t : terms)
+      for(const Corner_energy& t : corners_at(m_corner[i], p))
       {
         if(epsilon == 0 && t.area <= 0)
           return std::numeric_limits<double>::infinity();
-        sum += corner_energy(t.lengths, t.area, aim, epsilon);
+        sum += t.value(m_area[m_corner[i] / 4], epsilon);
       }
-    }
     return sum;
   }
 
@@ -405,69 +371,21 @@ private:
 
     // the smallest corner area decides whether, and how much, the energy must be regularized
     double smallest = std::numeric_limits<double>::infinity(), aim_sum = 0;
-    std::array<Corner_term, 3> terms;
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
     {
-      corner_terms(m_corner[i], p, terms);
       aim_sum += m_area[m_corner[i] / 4];
-      for(const Corner_term& t : terms)
+      for(const Corner_energy& t : corners_at(m_corner[i], p))
         smallest = (std::min)(smallest, t.area);
     }
     const double mean_aim = aim_sum / (m_first[v + 1] - m_first[v]);
     const double epsilon = smallest > 0 ? 0 : std::sqrt(least_epsilon * least_epsilon * mean_aim * mean_aim
                                                         + epsilon_slope * smallest * smallest);
 
-    double value = 0, gu = 0, gw = 0, huu = 0, huw = 0, hww = 0;
+    Corner_energy_model model(u, w);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-    {
-      corner_terms(m_corner[i], p, terms);
-      const double aim = m_area[m_corner[i] / 4];
-      for(const Corner_term& t : terms)
-      {
-        const double root = std::sqrt(t.area * t.area + epsilon * epsilon);
-        const double chi = (t.area > 0 ? t.area + root : epsilon * epsilon / (root - t.area)) / 2;
-        const double chi1 = chi / root, chi2 = epsilon * epsilon / (2 * root * root * root);
-        const double top = t.lengths + area_weight * (aim + t.area * t.area / aim);
-        const double du = t.area_gradient * u, dw = t.area_gradient * w;
-        const double slope = 2 * area_weight * t.area / aim;
-        const double nu = t.lengths_gradient * u + slope * du, nw = t.lengths_gradient * w + slope * dw;
-        const double c1 = 1 / (2 * chi), c2 = chi1 / (2 * chi * chi);
-        const double c3 = top * (chi1 * chi1 / (chi * chi * chi) - chi2 / (2 * chi * chi)) + area_weight / (aim * chi);
-        value += top * c1;
-        gu += nu * c1 - top * c2 * du;
-        gw += nw * c1 - top * c2 * dw;
-        huu += t.lengths_curvature * c1 - 2 * c2 * nu * du + c3 * du * du;
-        huw += -c2 * (nu * dw + nw * du) + c3 * du * dw;
-        hww += t.lengths_curvature * c1 - 2 * c2 * nw * dw + c3 * dw * dw;
-      }
-    }
-
-    Vector_3 step;
-    if(m_kind[v] == on_surface)
-    {
-      // Newton's direction with the absolute values of the eigenvalues
-      const double mean = (huu + hww) / 2, half = (huu - hww) / 2;
-      const double radius = std::sqrt(half * half + huw * huw);
-      const double floor = least_curvature * (CGAL::abs(mean) + radius);
-      const double e1 = (std::max)(CGAL::abs(mean + radius), floor), e2 = (std::max)(CGAL::abs(mean - radius), floor);
-      if(!(floor > 0))
-        return 0;
-      double c = 1, s = 0;                     // unit eigenvector of mean + radius
-      if(radius > 0)
-      {
-        const double angle = std::atan2(huw, half) / 2;
-        c = std::cos(angle);
-        s = std::sin(angle);
-      }
-      const double x = -(c * gu + s * gw) / e1, y = -(c * gw - s * gu) / e2;
-      step = (c * x - s * y) * u + (s * x + c * y) * w;
-    }
-    else
-    {
-      if(huu == 0)
-        return 0;
-      step = (-gu / CGAL::abs(huu)) * u;
-    }
+      for(const Corner_energy& t : corners_at(m_corner[i], p))
+        model.add(t, m_area[m_corner[i] / 4], epsilon);
+    Vector_3 step = m_kind[v] == on_surface ? model.step_in_plane() : model.step_along_u();
     const double length = std::sqrt(step.squared_length()), longest = longest_step * std::sqrt(mean_aim);
     if(!(length > 0))
       return 0;
@@ -476,7 +394,7 @@ private:
 
     double factor = 1;
     for(int trial = 0; trial < 4; ++trial, factor /= 3)
-      if(try_move(v, p + factor * step, value, epsilon, guarded))
+      if(try_move(v, p + factor * step, model.value(), epsilon, guarded))
         return std::sqrt(squared_distance(p, m.points[v]));
 
     // a vertex between the two sides of a fold, or of a crease: the middle of its neighbours
@@ -485,7 +403,7 @@ private:
       Vector_3 sum(0, 0, 0);
       for(int i = m_first[v]; i < m_first[v + 1]; ++i)
         sum = sum + (m.points[m.target(m_corner[i])] - p) + (m.points[m.source(m.prev(m_corner[i]))] - p);
-      if(try_move(v, p + sum / (2 * (m_first[v + 1] - m_first[v])), value, epsilon, guarded))
+      if(try_move(v, p + sum / (2 * (m_first[v + 1] - m_first[v])), model.value(), epsilon, guarded))
         return std::sqrt(squared_distance(p, m.points[v]));
     }
     return 0;
@@ -521,8 +439,6 @@ private:
 
   // Regularization of folded corners: a part of the area aimed at, and of the largest fold.
   static constexpr double least_epsilon = 1e-3, epsilon_slope = 0.04;
-  // Smallest eigenvalue of a Hessian, relative to the largest, that a step divides by.
-  static constexpr double least_curvature = 1e-3;
 
   Indexed_quad_mesh& m;
   Reference_surface& surface;

@@ -83,6 +83,13 @@ public:
 
   const Score& score() const { return m_score; }
 
+  // Goes on from another mesh.
+  void set_state(State s)
+  {
+    state = std::move(s);
+    analyze(state.mesh);
+  }
+
   // Tries to remove one more helix; false if none of those left can be removed with a gain.
   // `go_further()` is asked between the attempts.
   template <typename GoFurther>

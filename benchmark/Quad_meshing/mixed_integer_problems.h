@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_BENCHMARK_MIXED_INTEGER_PROBLEMS_H
+#define CGAL_QUAD_MESHING_BENCHMARK_MIXED_INTEGER_PROBLEMS_H
+
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Fields/internal/Mixed_integer_field.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Combed_charts.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Orientation_energy.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Random.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+// Mixed-integer problems to measure with: made on grids, read from files, and those of fields and maps on meshes.
+namespace mixed_integer_problems {
+
+namespace QM = CGAL::Quad_meshing;
+typedef QM::Mixed_integer_problem Problem;
+typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
+
+// A grid of reals; differences across random edges contain integers, one for each of some vertical cuts.
+inline Problem make_map(int width, int integers)
+{
+  CGAL::Random random(1);
+  Problem problem(width * width);
+  for(int k = 0; k < integers; ++k)
+    problem.add_variable(true);
+  const auto index = [width](int i, int j) { return i * width + j; };
+  for(int i = 0; i < width; ++i)
+    for(int j = 0; j < width; ++j)
+      for(int d = 0; d < 2; ++d)
+      {
+        const int i2 = i + (d == 0), j2 = j + (d == 1);
+        if(i2 == width || j2 == width)
+          continue;
+        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
+        // Cut k crosses the edges of a row segment.
+        const int cut = (i * integers) / width;
+        if(d == 0 && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
+          form.emplace_back(width * width + cut, 1.);
+        problem.add_squared_residual(form, random.get_double(-0.6, 0.7));
+      }
+  problem.add_equality_constraint({ { 0, 1. } }, 0.);
+  return problem;
+}
+
+// Angles at the nodes of a grid, period jumps on the edges that are not in a spanning tree.
+inline Problem make_field(int width)
+{
+  CGAL::Random random(2);
+  const double quarter = 1.57079632679489661923;
+  Problem problem(width * width);
+  const auto index = [width](int i, int j) { return i * width + j; };
+  for(int i = 0; i < width; ++i)
+    for(int j = 0; j < width; ++j)
+      for(int d = 0; d < 2; ++d)
+      {
+        const int i2 = i + (d == 0), j2 = j + (d == 1);
+        if(i2 == width || j2 == width)
+          continue;
+        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
+        const bool is_tree_edge = d == 1 || j == 0;
+        if(!is_tree_edge)
+          form.emplace_back(problem.add_variable(true), quarter);
+        problem.add_squared_residual(form, random.get_double(-0.25, 0.25));
+      }
+  problem.add_equality_constraint({ { 0, 1. } }, 0.);
+  return problem;
+}
+
+// From NAME.A.mtx, NAME.b.mtx (Matrix Market) and NAME.I.txt (indices of integers, from 0).
+inline bool read_problem(const std::string& name, Problem& problem)
+{
+  std::ifstream a(name + ".A.mtx"), b(name + ".b.mtx"), integers(name + ".I.txt");
+  Eigen::SparseMatrix<double> A, rhs;
+  std::string message;
+  if(!a || !b || !integers || !QM::read_matrix_market(a, A, message) || !QM::read_matrix_market(b, rhs, message))
+    return false;
+  problem = Problem(static_cast<int>(A.rows()));
+  problem.set_energy(A, Eigen::VectorXd(Eigen::MatrixXd(rhs).col(0)));
+  for(int i; integers >> i;)
+    problem.set_integer(i);
+  return true;
+}
+
+// The mesh with about the given number of triangles: subdivided, then decimated.
+inline Mesh resized(Mesh tm, std::size_t triangles)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  while(tm.number_of_faces() < triangles)
+    CGAL::Subdivision_method_3::Loop_subdivision(tm, CGAL::parameters::number_of_iterations(1));
+  // An inner edge collapse removes three edges and two faces.
+  if(tm.number_of_faces() > triangles)
+    SMS::edge_collapse(tm, SMS::Count_stop_predicate<Mesh>(triangles * 3 / 2));
+  tm.collect_garbage();
+  return tm;
+}
+
+inline QM::internal::Indexed_triangle_mesh indexed(const Mesh& tm)
+{
+  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+}
+
+// The angles and period jumps of a smooth cross field without constraints.
+inline Problem field_problem(const Mesh& tm)
+{
+  const QM::internal::Indexed_triangle_mesh mesh = indexed(tm);
+  QM::internal::Field_problem field(mesh);
+  field.find_components();
+  return QM::internal::Mixed_integer_field(field).system();
+}
+
+// The seamless map of about `quads` quads that follows the smooth cross field, features and border aligned; its integers are
+// the coordinates of singularities and features and the translations across cuts.
+inline Problem map_problem(Mesh tm, double quads)
+{
+  using namespace QM::internal;
+  const double sharp_angle = 40., longest_edge = 1.5; // degrees, in quad edges
+  const double length = std::sqrt(CGAL::Polygon_mesh_processing::area(tm) / quads);
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  auto origin = tm.add_property_map<Mesh::Face_index, int>("f:origin", 0).first;
+  auto angle = tm.add_property_map<Mesh::Face_index, double>("f:angle", 0.).first;
+  auto jump = tm.add_property_map<Mesh::Edge_index, int>("e:period_jump", 0).first;
+  auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index", 0).first;
+  QM::detect_feature_edges(tm, sharp_angle, length, is_feature);
+  QM::split_for_alignment(tm, tm.points(), is_feature, true, origin, longest_edge * length);
+  QM::smooth_cross_field(tm, angle, jump, index,
+                         CGAL::parameters::target_edge_length(length).edge_is_constrained_map(is_feature));
+
+  const Indexed_triangle_mesh mesh = indexed(tm);
+  std::vector<double> angles;
+  std::vector<int> jumps;
+  std::vector<bool> is_aligned, is_singular;
+  for(auto f : tm.faces())
+    angles.push_back(angle[f]);
+  for(auto e : tm.edges())
+  {
+    jumps.push_back(jump[e]);
+    is_aligned.push_back(is_feature[e] || tm.is_border(e));
+  }
+  for(auto v : tm.vertices())
+    is_singular.push_back(index[v] != 0);
+  const Combed_charts charts(mesh, angles, jumps, is_singular);
+  const Seamless_coordinates coordinates(charts, is_singular, is_aligned);
+  const Face_gradients faces(charts, std::vector<double>(mesh.number_of_faces(), length));
+  const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), 1.);
+  Problem problem(coordinates.number_of_variables());
+  problem.set_energy(energy.A, energy.b, energy.constant);
+  for(int i = 0; i < coordinates.number_of_variables(); ++i)
+    problem.set_integer(i, coordinates.is_integer[i]);
+  return problem;
+}
+
+} // namespace mixed_integer_problems
+
+#endif // CGAL_QUAD_MESHING_BENCHMARK_MIXED_INTEGER_PROBLEMS_H

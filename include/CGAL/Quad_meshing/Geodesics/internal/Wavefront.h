@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WAVEFRONT_H
+#define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WAVEFRONT_H
+
+#include <CGAL/Quad_meshing/Geodesics/internal/Front_queue.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_envelope.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_lists.h>
+
+#include <boost/config.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The nearest known way to a vertex.
+template <typename FT>
+struct Vertex_label
+{
+  FT distance;
+  double angle;            // the direction of arrival, see Unfolded_mesh::direction; only where Unfolded_mesh::passage asks for it
+  float error;             // see Window::error
+  int origin : 31;         // the pseudo-source that reaches the vertex, see Window::origin
+  bool is_passed : 1;      // whether the front has passed it
+};
+
+// What the front knows: the windows of the edges, the labels of the vertices and the queue of what is still to
+// advance. Everything that moves the front ends here, with a distance that arrives at a vertex or a window at an edge.
+template <typename FT>
+class Wavefront
+{
+public:
+  typedef Unfolded_mesh<FT> Mesh;
+  typedef Window<FT> W;
+  typedef Window_tolerances<FT> Tol;
+  typedef Window_list<FT> List;
+
+  static FT unreached() { return FT(1e300); }
+
+  Wavefront(const Mesh& mesh, bool keep_windows)
+    : m_mesh(mesh),
+      m_keep_windows(keep_windows),
+      m_lists(mesh.number_of_edges()),
+      m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0.f, 0, false }),
+      m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))
+  {}
+
+  const Mesh& mesh() const { return m_mesh; }
+  bool keeps_windows() const { return m_keep_windows; }
+  Window_lists<FT>& lists() { return m_lists; }
+  const Window_lists<FT>& lists() const { return m_lists; }
+  Vertex_label<FT>& label(int v) { return m_labels[v]; }
+  const Vertex_label<FT>& label(int v) const { return m_labels[v]; }
+  Front_queue& queue() { return m_queue; }
+
+  // Receives a distance at a vertex. `angle()` is its direction of arrival.
+  template <typename Angle>
+  void reach(int v, const FT& d, int origin, float error, const Angle& angle)
+  {
+    Vertex_label<FT>& label = m_labels[v];
+    if(! (d < label.distance - FT(Tol::tie()) * label.distance))
+      return;
+    label.distance = d;
+    label.origin = origin;
+    label.error = error;
+    if(m_mesh.passage[v] == PASSAGE_IN_SHADOW)
+      label.angle = angle();
+    m_queue.push_vertex(v, as_double(d));
+  }
+
+  // Where windows arrive: an edge, seen from a face. Made once for many windows.
+  struct Landing
+  {
+    int edge, source, target;
+    bool is_canonical;
+    FT length;
+    int hint;                    // see Window_envelope::insert
+  };
+
+  Landing landing(int h) const
+  {
+    const int e = m_mesh.edge_of[h];
+    return Landing{ e, m_mesh.source(h), m_mesh.target(h), m_mesh.is_canonical(h), m_mesh.length[e], m_lists[e].size };
+  }
+
+  // Receives a window that comes through the face of the halfedge, in the frame of the halfedge.
+  BOOST_FORCEINLINE void arrive(Landing& at, W w)
+  {
+    const FT& l = at.length;
+    if(! (w.y > FT(0)))
+      return;
+    if(w.b0 < FT(0)) w.b0 = FT(0);
+    if(l < w.b1) w.b1 = l;
+    if(! (w.b0 < w.b1))
+      return;
+
+    // Xin and Wang 2009: rays that are longer than the way over an end of the edge lead nowhere.
+    const FT margin = FT(1) + Tol::filter();
+    if(w.is_beyond(w.b1, FT((m_labels[at.source].distance + w.b1) * margin)) ||
+       w.is_beyond(w.b0, FT((m_labels[at.target].distance + (l - w.b0)) * margin)))
+      return;
+    if(! m_keep_windows && latest(at.edge) <= m_queue.front())
+      return;
+
+    w.from_left = true;
+    w.pending = true;
+    if(! at.is_canonical)
+      w.reverse(l);
+    const auto inserted = m_envelope.insert(m_lists, m_lists[at.edge], at.hint, w, l);
+    if(inserted != Window_envelope<FT>::NOTHING && ! m_queue.is_due(at.edge))
+      m_queue.push_edge(at.edge, key(inserted == Window_envelope<FT>::ALL ? w.minimum() : m_envelope.nearest_part()));
+  }
+
+  // The same for single windows.
+  BOOST_NOINLINE void arrive(int h, const W& w)
+  {
+    if(m_mesh.length_of(h) == FT(0))
+      return;
+    Landing at = landing(h);
+    arrive(at, w);
+  }
+
+  // Puts a window on an edge from which it does not go on, in the frame of h.
+  void store(int h, W w)
+  {
+    const int e = m_mesh.edge_of[h];
+    if(! m_mesh.is_canonical(h))
+      w.reverse(m_mesh.length[e]);
+    int hint = 0;
+    m_envelope.insert(m_lists, m_lists[e], hint, w, m_mesh.length[e]);
+  }
+
+  // No point of an edge is farther than this: one goes there over the nearer end.
+  double latest(int e) const
+  {
+    const int h = m_mesh.halfedge_of_edge[e];
+    return as_double(FT((m_labels[m_mesh.source(h)].distance + m_labels[m_mesh.target(h)].distance + m_mesh.length[e]) / FT(2)));
+  }
+
+  // When to go on with what begins at this distance: the margin covers rounding and window ends that move a little.
+  static double key(const FT& distance)
+  {
+    const double d = as_double(distance);
+    return d - 1e-6 * std::abs(d);
+  }
+
+private:
+  static double step_length(const Mesh& mesh)
+  {
+    double sum = 0;
+    for(const FT& l : mesh.length)
+      sum += as_double(l);
+    return mesh.length.empty() || ! (sum > 0) ? 1. : 2 * sum / static_cast<double>(mesh.length.size());
+  }
+
+  const Mesh& m_mesh;
+  bool m_keep_windows;
+  Window_lists<FT> m_lists;
+  std::vector<Vertex_label<FT> > m_labels;
+  Front_queue m_queue;
+  Window_envelope<FT> m_envelope;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WAVEFRONT_H

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_CURVES_H
+#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_CURVES_H
+
+#include <CGAL/Quad_meshing/Structure/internal/Arc_subdivision.h>
+#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The dual curves of a layout. Each of them can be replaced by any number of parallel ones, which changes the
+// number of quads but nothing in the structure. All edges that a curve crosses are divided into the same number then;
+// so it is good if their lengths in the input are about the same.
+class Layout_curves
+{
+public:
+  std::vector<int> of_edge;             // per edge of the subdivision of the arcs
+  std::vector<double> edge_length;      // per curve: mean length of the edges that it crosses, in edges of the input
+  double distortion = 0;                // mean square of what the lengths differ from it, and of the lengths of the
+                                        // arcs that have vanished, relative to the mean squared length
+
+  Layout_curves(const Layout_quantization& quantization, const std::vector<int>& length)
+    : m_quantization(quantization), m_length(length)
+  {
+    const Motorcycle_complex& complex = quantization.complex();
+    const Arc_subdivision s = quantization.subdivision(length);
+    Disjoint_sets curves(s.number_of_edges());
+    std::vector<int> one, other;
+    for(const Motorcycle_complex::Patch& p : complex.patches)
+      for(int k = 0; k < 2; ++k)
+      {
+        s.edges_of(p.sides[k], one);
+        s.edges_of(p.sides[k + 2], other);
+        for(std::size_t i = 0; i < one.size(); ++i)
+          curves.join(one[i], other[one.size() - 1 - i]);
+      }
+    of_edge.resize(s.number_of_edges());
+    std::vector<int> crossings;
+    for(int e = 0; e < s.number_of_edges(); ++e)
+    {
+      const int root = curves.find(e);
+      of_edge[e] = root == e ? static_cast<int>(crossings.size()) : of_edge[root];
+      if(root == e)
+        crossings.push_back(0);
+      ++crossings[of_edge[e]];
+    }
+
+    edge_length.assign(crossings.size(), 0);
+    for_each_edge([&](int curve, double l) { edge_length[curve] += l / crossings[curve]; });
+    double squared = 0;
+    for_each_edge([&](int curve, double l)
+    {
+      squared += l * l;
+      distortion += (l - edge_length[curve]) * (l - edge_length[curve]);
+    });
+    for(std::size_t a = 0; a < length.size(); ++a)
+      if(length[a] == 0)
+        distortion += double(complex.arcs[a].length()) * complex.arcs[a].length();
+    distortion /= squared;
+  }
+
+  int number_of_curves() const { return static_cast<int>(edge_length.size()); }
+
+  // The lengths of the arcs when each curve is replaced by so many.
+  std::vector<int> lengths(const std::vector<int>& multiplicity) const
+  {
+    std::vector<int> result(m_length.size(), 0);
+    for(std::size_t a = 0, e = 0; a < m_length.size(); ++a)
+      for(int i = 0; i < m_length[a]; ++i, ++e)
+        result[a] += multiplicity[of_edge[e]];
+    return result;
+  }
+
+  // The lengths such that edges get about a given length.
+  std::vector<int> lengths(double aim) const { return lengths(multiplicities(aim)); }
+
+  std::vector<int> multiplicities(double aim) const
+  {
+    std::vector<int> result;
+    for(double l : edge_length)
+      result.push_back((std::max)(1, static_cast<int>(std::floor(l / aim + 0.5))));
+    return result;
+  }
+
+  // The shortest edges that `fits(lengths)` allows: with the same aim for all curves, and then one more of those
+  // curves whose edges are the longest.
+  template <typename Fits>
+  std::vector<int> densest_lengths(double first_aim, const Fits& fits) const
+  {
+    constexpr double coarser = 1.01;
+    const double longest = *std::max_element(edge_length.begin(), edge_length.end());
+    double aim = first_aim;
+    while(aim < 2 * longest && !fits(lengths(aim)))
+      aim *= coarser;
+    std::vector<int> multiplicity = multiplicities(aim);
+    std::vector<int> order(multiplicity.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int c, int d)
+    {
+      const double a = edge_length[c] / multiplicity[c], b = edge_length[d] / multiplicity[d];
+      return a != b ? a > b : c < d;
+    });
+    for(int c : order)
+    {
+      ++multiplicity[c];
+      if(!fits(lengths(multiplicity)))
+        --multiplicity[c];
+    }
+    return lengths(multiplicity);
+  }
+
+private:
+  // Calls f(curve, length in the input) for all edges.
+  template <typename Function>
+  void for_each_edge(const Function& f) const
+  {
+    for(std::size_t a = 0, e = 0; a < m_length.size(); ++a)
+      for(int i = 0; i < m_length[a]; ++i, ++e)
+        f(of_edge[e], double(m_quantization.complex().arcs[a].length()) / m_length[a]);
+  }
+
+  const Layout_quantization& m_quantization;
+  const std::vector<int>& m_length;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_CURVES_H

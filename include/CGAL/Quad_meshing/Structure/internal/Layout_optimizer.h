@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H
+#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H
+
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_search.h>
+#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// Gives a quad mesh a coarse layout: searches one, multiplies its dual curves, and realizes it as a mesh.
+class Layout_optimizer
+{
+public:
+  typedef Structure_optimizer::State State;
+
+  // The lengths of the edges, in edges of the input, between which one is chosen, and the factor between two trials.
+  static constexpr double least_edge_length = 0.5, largest_edge_length = 1000, finer = 0.95;
+
+  // One of so many scales gives a layout that the mesh gets if the coarser ones do not fit its shape.
+  static constexpr int scales_between = 4;
+
+  // `target_quads` is at most the number of quads of the input.
+  Layout_optimizer(const State& input, bool merge_singularities, std::size_t target_quads, std::size_t target_patches)
+    : m_input(input), m_merge_singularities(merge_singularities), m_target_quads(static_cast<int>(target_quads)),
+      m_target_patches(target_patches), m_structure(structure_of_quad_mesh(input.mesh)),
+      m_complex(input.mesh, input.is_fixed)
+  {
+    for(int h = 0; h < input.mesh.number_of_halfedges(); ++h)
+      m_border_edges += input.mesh.is_border(h);
+  }
+
+  // Looks for layouts, `attempts` times at random. `progress` gets numbers from 0 to 1.
+  template <typename GoFurther, typename Progress>
+  void search(int attempts, const GoFurther& go_further, const Progress& progress)
+  {
+    if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
+      return;
+    m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
+    Layout_search search(m_input.mesh, *m_quantization, m_input.is_fixed);
+    const double quads_per_irregular_vertex =
+      m_merge_singularities ? Layout_search::quads_when_merging : Layout_search::quads_per_irregular_vertex;
+    const int quads = static_cast<int>((std::min)(quads_per_irregular_vertex * m_structure.number_of_irregular_vertices,
+                                                  Layout_search::largest_part * m_structure.number_of_quads));
+    int scales = 0;
+    search.shorten(quads, m_target_patches, [&]
+    {
+      if(++scales % scales_between == 0)
+        m_layouts.push_back(m_quantization->length);
+    }, go_further);
+    m_layouts.push_back(m_quantization->length);
+    int attempt = 0;
+    search.anneal(attempts, m_target_patches, [&]
+    {
+      progress(double(++attempt) / attempts);
+      return go_further();
+    });
+    m_layouts.push_back(m_quantization->length);
+  }
+
+  // Puts the mesh with the next layout into `result`, the best one first, and then coarser ones before finer ones; false
+  // if there is none that is better than the input.
+  bool next(State& result)
+  {
+    while(!m_layouts.empty())
+    {
+      const std::vector<int> layout = m_layouts.back();
+      m_layouts.pop_back();
+      if(realize(*m_quantization, layout, result))
+        return true;
+    }
+    return false;
+  }
+
+private:
+  bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, State& result) const
+  {
+    const Layout_curves curves(quantization, layout);
+    std::vector<int> length = curves.densest_lengths(least_edge_length, [&](const std::vector<int>& l)
+    {
+      return fits(quantization, l) && quantization.number_of_quads(l) <= m_target_quads;
+    });
+    // a very coarse mesh may have edges that share both ends
+    double aim = largest_edge_length;
+    while(fits(quantization, length))
+    {
+      const Layout_realization r(m_input.mesh, quantization, length, m_input.is_fixed);
+      if(r.is_closed_up && is_valid_quad_mesh(r.mesh))
+      {
+        if(!is_better(structure_of_quad_mesh(r.mesh)))
+          return false;
+        set_state(r, result);
+        return true;
+      }
+      const int quads = quantization.number_of_quads(length);
+      while(aim > least_edge_length && quantization.number_of_quads(length) <= quads)
+      {
+        aim *= finer;
+        length = curves.lengths(aim);
+      }
+      if(aim <= least_edge_length)
+        return false;
+    }
+    return false;
+  }
+
+  // The result has no more quads, edges and vertices than the input: nothing has to be allocated.
+  bool fits(const Layout_quantization& quantization, const std::vector<int>& length) const
+  {
+    long border = 0;
+    for(std::size_t a = 0; a < length.size(); ++a)
+      border += m_complex.arcs[a].is_border ? length[a] : 0;
+    const long quads = quantization.number_of_quads(length), quads_before = m_input.mesh.number_of_faces();
+    return quads > 0 && quads <= quads_before && 2 * quads + border <= 2 * quads_before + m_border_edges;
+  }
+
+  bool is_better(const Quad_mesh_structure& s) const
+  {
+    const bool same = s.euler_characteristic == m_structure.euler_characteristic
+                   && s.number_of_components == m_structure.number_of_components
+                   && s.number_of_boundary_loops == m_structure.number_of_boundary_loops
+                   && s.boundary_valences == m_structure.boundary_valences
+                   && (m_merge_singularities || s.inner_valences == m_structure.inner_valences);
+    return same && (s.number_of_patches < m_structure.number_of_patches
+                    || (s.number_of_patches == m_structure.number_of_patches
+                        && s.number_of_helices < m_structure.number_of_helices)
+                    || (s.number_of_quads < m_structure.number_of_quads
+                        && std::size_t(m_target_quads) < m_structure.number_of_quads));
+  }
+
+  // The vertices that are nodes of the input stay these; all others are any of the input that are left over.
+  void set_state(const Layout_realization& r, State& result) const
+  {
+    std::vector<char> is_used(m_input.mesh.number_of_vertices(), 0);
+    for(int v : r.origin)
+      if(v != -1)
+        is_used[v] = 1;
+    result.mesh = r.mesh;
+    result.is_fixed.clear();
+    result.vertex_origin.clear();
+    std::size_t left_over = 0;
+    for(int v : r.origin)
+    {
+      result.is_fixed.push_back(v != -1 && m_input.is_fixed[v]);
+      while(v == -1 && is_used[left_over])
+        ++left_over;
+      result.vertex_origin.push_back(m_input.vertex_origin[v != -1 ? v : static_cast<int>(left_over++)]);
+    }
+    result.face_origin.assign(m_input.face_origin.begin(), m_input.face_origin.begin() + result.mesh.number_of_faces());
+    result.has_failed.assign(result.mesh.number_of_faces(), 0);
+    result.face_of.clear();
+  }
+
+  const State& m_input;
+  bool m_merge_singularities;
+  int m_target_quads;
+  std::size_t m_target_patches;
+  Quad_mesh_structure m_structure;
+  Motorcycle_complex m_complex;
+  std::unique_ptr<Layout_quantization> m_quantization;
+  std::vector<std::vector<int> > m_layouts;
+  long m_border_edges = 0;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H

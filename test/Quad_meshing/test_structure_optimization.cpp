@@ -1,0 +1,428 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// Coarse layouts and the optimization of the structure: whatever lengths the arcs of a motorcycle complex get, the mesh
+// is a pure quad mesh of the same topology with the same irregular vertices; twisted meshes come back to
+// their few patches; no inverted quad comes out where none went in.
+
+#include "quad_mesh_checks.h"
+#include "structure_meshes.h"
+
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <set>
+#include <vector>
+
+namespace QM = CGAL::Quad_meshing;
+namespace SM = structure_meshes;
+typedef SM::Mesh Mesh;
+typedef QM::internal::Indexed_quad_mesh Flat_mesh;
+typedef QM::Quad_structure_optimization_result Result;
+using QM::internal::Layout_curves;
+using QM::internal::Layout_quantization;
+using QM::internal::Layout_realization;
+using QM::internal::Motorcycle_complex;
+
+namespace {
+
+// Few attempts: these meshes are small.
+auto options(QM::Structure_method method = QM::Structure_method::LAYOUT)
+{
+  return CGAL::parameters::structure_method(method).number_of_iterations(400u);
+}
+
+Flat_mesh flat(const SM::Quad_soup& soup)
+{
+  return QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh;
+}
+
+// A mesh after some random operators.
+Flat_mesh twisted(Flat_mesh m, int operators, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(int i = 0; i < operators; ++i)
+  {
+    const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+    QM::internal::Gp_search search(m, rules);
+    const QM::internal::Gp_path path =
+      search.close({ 3 * random.get_int(0, m.number_of_halfedges()) + 2 * random.get_int(0, 2) });
+    if(path.empty())
+      continue;
+    std::vector<char> weight(m.number_of_vertices());
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+      weight[v] = rules.is_special[v] ? 2 : rules.on_feature[v] || rules.on_border[v];
+    const Flat_mesh result = QM::internal::Gp_execution(m, path).execute(weight);
+    if(QM::internal::is_valid_quad_mesh(result))
+      m = result;
+  }
+  return m;
+}
+
+Mesh graph(const Flat_mesh& m)
+{
+  SM::Quad_soup soup;
+  soup.points = m.points;
+  for(const std::array<int, 4>& c : m.corners)
+    soup.quads.push_back({{ std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2]), std::size_t(c[3]) }});
+  return SM::make_mesh(soup);
+}
+
+bool same_topology(const QM::Quad_mesh_structure& s, const QM::Quad_mesh_structure& t)
+{
+  return s.inner_valences == t.inner_valences && s.boundary_valences == t.boundary_valences
+      && s.euler_characteristic == t.euler_characteristic && s.number_of_components == t.number_of_components
+      && s.number_of_boundary_loops == t.number_of_boundary_loops;
+}
+
+// The irregular base mesh that a triangulated cube gives.
+SM::Quad_soup irregular()
+{
+  const SM::Quad_soup base = SM::cube(2);
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(const auto& q : base.quads)
+  {
+    triangles.push_back({{ q[0], q[1], q[2] }});
+    triangles.push_back({{ q[0], q[2], q[3] }});
+  }
+  return SM::split_triangles(base.points, triangles);
+}
+
+// Two thirds of a mesh: irregular vertices on its boundary.
+SM::Quad_soup opened(SM::Quad_soup s)
+{
+  s.quads.resize(s.quads.size() * 2 / 3);
+  std::vector<std::size_t> number(s.points.size(), std::size_t(-1));
+  SM::Quad_soup used;
+  for(auto& q : s.quads)
+    for(std::size_t& v : q)
+    {
+      if(number[v] == std::size_t(-1))
+      {
+        number[v] = used.points.size();
+        used.points.push_back(s.points[v]);
+      }
+      v = number[v];
+    }
+  used.quads = s.quads;
+  return used;
+}
+
+std::multiset<std::array<long, 3> > rounded_points(const Flat_mesh& m)
+{
+  std::multiset<std::array<long, 3> > result;
+  for(const auto& p : m.points)
+    result.insert({{ std::lround(1e6 * p.x()), std::lround(1e6 * p.y()), std::lround(1e6 * p.z()) }});
+  return result;
+}
+
+void check_complex(const Flat_mesh& m, const Motorcycle_complex& complex)
+{
+  assert(complex.is_valid);
+  int quads = 0, pieces = 0, border = 0;
+  for(const auto& p : complex.patches)
+  {
+    quads += p.width * p.height;
+    for(int k = 0; k < 4; ++k)
+    {
+      int length = 0;
+      for(const auto& s : p.sides[k])
+        length += complex.arcs[s.arc].length();
+      assert(length == (k % 2 == 0 ? p.width : p.height));
+      pieces += int(p.sides[k].size());
+    }
+  }
+  assert(quads == m.number_of_faces());
+  for(const auto& a : complex.arcs)
+  {
+    assert(a.patch[0] != -1 && (a.patch[1] == -1) == a.is_border);
+    border += a.is_border;
+  }
+  assert(pieces == 2 * int(complex.arcs.size()) - border);
+}
+
+void test_layouts()
+{
+  std::cout << "layouts" << std::endl;
+  const Flat_mesh round = flat(SM::sphere(9));
+  Flat_mesh creased = flat(SM::cube(6));
+  for(int h = 0; h < creased.number_of_halfedges(); ++h)
+  {
+    const SM::Point_3 &p = creased.points[creased.source(h)], &q = creased.points[creased.target(h)];
+    int fixed = 0;
+    for(int k = 0; k < 3; ++k)
+      fixed += std::abs(p[k]) == 1 && p[k] == q[k];
+    creased.is_feature[h] = fixed == 2;
+  }
+  // a closed feature without any node, and one that ends inside
+  Flat_mesh ringed = flat(SM::rolled(12, 8, 0, false)), cut = flat(SM::grid(8, 8));
+  for(int h = 0; h < ringed.number_of_halfedges(); ++h)
+    ringed.is_feature[h] = std::abs(ringed.points[ringed.source(h)].z() - ringed.points[ringed.target(h)].z()) < 1e-9
+                        && std::abs(ringed.points[ringed.source(h)].z() - 4 * 2 * SM::pi / 12) < 1e-9;
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    cut.is_feature[h] = cut.points[cut.source(h)].y() == 4 && cut.points[cut.target(h)].y() == 4
+                     && cut.points[cut.source(h)].x() <= 5 && cut.points[cut.target(h)].x() <= 5;
+  const std::vector<Flat_mesh> meshes = { round, twisted(round, 6, 1), creased, twisted(creased, 5, 2), ringed, cut,
+    flat(SM::rolled(12, 8, 0, true)), flat(SM::rolled(12, 8, 1, true)), flat(SM::rolled(9, 7, 2, false)),
+    twisted(flat(SM::refined(irregular(), 4)), 20, 3), twisted(flat(opened(SM::refined(irregular(), 3))), 10, 4), flat(SM::grid(7, 5)) };
+  int number = 0, changes = 0, not_representable = 0;
+  for(const Flat_mesh& m : meshes)
+  {
+    const std::vector<char> is_fixed(m.number_of_vertices(), 0);
+    const Motorcycle_complex complex(m, is_fixed);
+    check_complex(m, complex);
+    Layout_quantization quantization(m, complex, is_fixed, false);
+    const QM::Quad_mesh_structure before = QM::internal::structure_of_quad_mesh(m);
+    std::size_t features = 0;
+    for(char f : m.is_feature)
+      features += f;
+
+    // with the lengths it has, the mesh comes back as it is
+    const Layout_realization same(m, quantization, quantization.length, is_fixed);
+    assert(same.is_closed_up && QM::internal::is_valid_quad_mesh(same.mesh));
+    assert(rounded_points(same.mesh) == rounded_points(m));
+    const QM::Quad_mesh_structure s = QM::internal::structure_of_quad_mesh(same.mesh);
+    assert(same_topology(s, before) && s.number_of_patches == before.number_of_patches);
+    assert(s.number_of_helices == before.number_of_helices && s.number_of_dual_curves == before.number_of_dual_curves);
+    assert(std::size_t(std::count(same.mesh.is_feature.begin(), same.mesh.is_feature.end(), 1)) == features);
+
+    // random changes
+    CGAL::Random random(++number);
+    for(int i = 0; i < 150; ++i)
+    {
+      const int arc = random.get_int(0, int(complex.arcs.size()));
+      const double scale = random.get_double(0.5, 4);
+      if(!quantization.change(arc, i % 3 == 0 ? 1 : -1, scale, random.get_double(0, 0.2), false))
+        continue;
+      ++changes;
+      const Layout_curves curves(quantization, quantization.length);
+      std::size_t patches = 0;
+      for(int multiplicity : { 1, 2, 3 })
+      {
+        const std::vector<int> length = curves.lengths(std::vector<int>(curves.number_of_curves(), multiplicity));
+        const Layout_realization r(m, quantization, length, is_fixed);
+        assert(r.is_closed_up);
+        assert(r.mesh.number_of_faces() == quantization.number_of_quads(length));
+        if(!QM::internal::is_valid_quad_mesh(r.mesh))
+        {
+          // edges that share both ends; threefold, they do not any more
+          assert(multiplicity < 3);
+          ++not_representable;
+          continue;
+        }
+        const QM::Quad_mesh_defects d = QM::find_quad_mesh_defects(r.mesh.points, r.mesh.corners);
+        assert(d.is_pure_quad_mesh() && d.isolated_vertices == 0);
+        const QM::Quad_mesh_structure after = QM::internal::structure_of_quad_mesh(r.mesh);
+        assert(same_topology(after, before));
+        // parallel curves change nothing in the structure
+        if(before.number_of_irregular_vertices > 0)
+          assert(patches == 0 || after.number_of_patches == patches);
+        patches = after.number_of_patches;
+        assert(std::count(r.mesh.is_feature.begin(), r.mesh.is_feature.end(), 1) > 0 || features == 0);
+      }
+    }
+  }
+  std::cout << "  " << changes << " changes, " << not_representable << " meshes with double edges" << std::endl;
+  assert(changes > 500);
+}
+
+// A cube twisted by a random shift comes back to its six patches.
+void test_twisted_cubes(QM::Structure_method method)
+{
+  std::cout << "twisted cubes" << std::endl;
+  int number = 0;
+  for(unsigned int seed = 0; seed < 6; ++seed)
+  {
+    Mesh qm = graph(twisted(flat(SM::sphere(12)), 1, seed));
+    const QM::Quad_mesh_structure before = QM::quad_mesh_structure(qm);
+    if(before.number_of_patches == 6)
+      continue;
+    ++number;
+    const Mesh reference = SM::triangulated(SM::sphere(20));
+    const Result r = QM::optimize_quad_structure(qm, reference, options(method));
+    assert(r.status == Result::optimized && r.structure_before.number_of_patches == before.number_of_patches);
+    const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
+    assert(after.number_of_patches == 6 && after.number_of_helices == 0 && same_topology(after, before));
+    assert(QM::quad_mesh_quality(qm).minimal_scaled_jacobian > 0);
+    assert(CGAL::is_valid_polygon_mesh(qm) && quad_mesh_checks::figures(qm).consistent);
+    for(auto v : qm.vertices())
+      assert(std::abs(std::sqrt((qm.point(v) - CGAL::ORIGIN).squared_length()) - 1) < 0.02);
+  }
+  assert(number > 2);
+}
+
+void test_twisted_meshes()
+{
+  std::cout << "twisted meshes" << std::endl;
+  const Mesh reference = SM::triangulated(SM::sphere(24));
+  for(unsigned int seed = 0; seed < 2; ++seed)
+    for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
+    {
+      SM::Quad_soup ball = SM::refined(irregular(), 3);
+      for(SM::Point_3& p : ball.points)
+        p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length());
+      Mesh qm = graph(twisted(flat(ball), 12, seed));
+      QM::smooth_quad_mesh(qm, reference);
+      const QM::Quad_mesh_structure before = QM::quad_mesh_structure(qm);
+      const bool is_valid = QM::quad_mesh_quality(qm).number_of_inverted_quads == 0;
+      const Mesh input = qm;
+      const Result r = QM::optimize_quad_structure(qm, reference, options(method));
+      const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
+      assert(r.status == Result::optimized && same_topology(after, before));
+      assert(after.number_of_patches <= before.number_of_patches && after.number_of_quads <= before.number_of_quads);
+      if(method == QM::Structure_method::LAYOUT)
+        assert(after.number_of_patches < 0.8 * before.number_of_patches && after.number_of_quads > 0.7 * before.number_of_quads);
+      if(is_valid)
+        assert(QM::quad_mesh_quality(qm).minimal_scaled_jacobian > 0);
+      assert(CGAL::is_valid_polygon_mesh(qm) && quad_mesh_checks::figures(qm).vertex_manifold);
+
+      // same input, same output; on another graph too
+      Mesh again = input;
+      QM::optimize_quad_structure(again, reference, options(method));
+      assert(again.number_of_faces() == qm.number_of_faces());
+      assert(std::equal(again.points().begin(), again.points().end(), qm.points().begin()));
+    }
+}
+
+void test_features()
+{
+  std::cout << "features" << std::endl;
+  Mesh qm = SM::make_mesh(SM::cube(12));
+  auto feature = qm.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  auto is_fixed = qm.add_property_map<Mesh::Vertex_index, bool>("v:fixed", false).first;
+  auto on_cube_edge = [&](Mesh::Edge_index e)
+  {
+    int fixed = 0;
+    const SM::Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));
+    for(int k = 0; k < 3; ++k)
+      fixed += std::abs(std::abs(p[k]) - 1) < 1e-9 && std::abs(p[k] - q[k]) < 1e-9;
+    return fixed == 2;
+  };
+  for(auto e : qm.edges())
+    feature[e] = on_cube_edge(e);
+  // helices around each of the cube's corners: features are not shifted, the rings around them are
+  const Mesh::Vertex_index anchor(200);
+  is_fixed[anchor] = true;
+  const SM::Point_3 place = qm.point(anchor);
+  const Result r = QM::optimize_quad_structure(qm, SM::triangulated(SM::cube(4)),
+    options().target_number_of_quads(400).edge_is_constrained_map(feature).vertex_is_constrained_map(is_fixed));
+  assert(r.status == Result::optimized && qm.number_of_faces() <= 400 && qm.number_of_faces() > 200);
+  std::size_t corners = 0;
+  for(auto v : qm.vertices())
+    corners += std::abs(qm.point(v).x()) == 1 && std::abs(qm.point(v).y()) == 1 && std::abs(qm.point(v).z()) == 1;
+  assert(corners == 8);
+  for(auto e : qm.edges())
+    assert(feature[e] == on_cube_edge(e));
+  assert(qm.is_valid(anchor) && is_fixed[anchor] && qm.point(anchor) == place);
+}
+
+void test_targets_and_experiments()
+{
+  std::cout << "targets, collapse of all dual curves, merging" << std::endl;
+  // the maximal collapse of a cube is a cube of six quads
+  Mesh cube = SM::make_mesh(SM::cube(5));
+  QM::optimize_quad_structure(cube, options().collapse_dual_curves(true).smoothing_iterations(0));
+  assert(cube.number_of_faces() == 6);
+  for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
+  {
+    Mesh half = SM::make_mesh(SM::cube(6));
+    QM::optimize_quad_structure(half, options(method).collapse_dual_curves(true)
+                                        .target_number_of_quads(120u));
+    assert(half.number_of_faces() <= 120 && half.number_of_faces() > 60);
+  }
+
+  const Flat_mesh input = twisted(flat(SM::refined(irregular(), 4)), 12, 5);
+  const QM::Quad_mesh_structure before = QM::internal::structure_of_quad_mesh(input);
+  Mesh few = graph(input);
+  const Result target = QM::optimize_quad_structure(few, options().target_number_of_patches(500).smoothing_iterations(0));
+  assert(target.structure_after.number_of_patches <= 500 && target.structure_after.number_of_patches > 100);
+
+  // merged irregular vertices: another set of valences, the same topology, the same sum of indices
+  Mesh merged = graph(input), kept = graph(input);
+  const Result m = QM::optimize_quad_structure(merged, options().merge_singularities(true).target_number_of_patches(20).target_number_of_quads(1));
+  const Result k = QM::optimize_quad_structure(kept, options().target_number_of_patches(20).target_number_of_quads(1));
+  assert(same_topology(k.structure_after, before));
+  assert(m.structure_after.number_of_irregular_vertices < before.number_of_irregular_vertices);
+  assert(m.structure_after.number_of_patches < k.structure_after.number_of_patches);
+  for(const Result* r : { &m, &k })
+  {
+    assert(r->structure_after.euler_characteristic == 2 && r->structure_after.sum_of_indices == 8);
+    assert(r->structure_after.number_of_quads < before.number_of_quads / 2);
+  }
+  assert(CGAL::is_valid_polygon_mesh(merged) && CGAL::is_quad_mesh(merged));
+}
+
+void test_other_graph_and_bad_input()
+{
+  std::cout << "another graph, stopping, bad input" << std::endl;
+  typedef CGAL::Polyhedron_3<SM::Kernel> Polyhedron;
+  Polyhedron p = SM::make_mesh<Polyhedron>(opened(SM::refined(irregular(), 4)));
+  const QM::Quad_mesh_structure before = QM::quad_mesh_structure(p);
+  QM::optimize_quad_structure(p, options().target_number_of_quads(200));
+  assert(p.is_valid() && CGAL::is_quad_mesh(p) && same_topology(QM::quad_mesh_structure(p), before));
+  assert(quad_mesh_checks::figures(p).consistent && quad_mesh_checks::figures(p).vertex_manifold);
+
+  // stopping at any time leaves everything as it was
+  struct Stop : QM::Default_visitor
+  {
+    int left;
+    explicit Stop(int n) : left(n) {}
+    bool go_further() { return --left >= 0; }
+  };
+  const Mesh input = graph(twisted(flat(SM::sphere(10)), 2, 3));
+  for(int asked : { 0, 1, 5, 50 })
+    for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
+    {
+      Stop stop(asked);
+      Mesh qm = input;
+      const Result r = QM::optimize_quad_structure(qm, options(method).visitor(std::ref(stop)));
+      if(r.status == Result::stopped)
+        assert(qm.number_of_faces() == input.number_of_faces()
+               && std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
+      else
+        assert(stop.left >= 0);
+    }
+
+  // what has no irregular vertices: the helix of a cylinder goes over its border
+  Mesh helix = SM::make_mesh(SM::rolled(12, 8, 1, false));
+  assert(QM::optimize_quad_structure(helix).status == Result::optimized && CGAL::is_valid_polygon_mesh(helix));
+  Mesh rectangle = SM::make_mesh(SM::grid(8, 8));
+  QM::optimize_quad_structure(rectangle);
+  assert(QM::quad_mesh_structure(rectangle).number_of_patches == 1 && rectangle.number_of_faces() == 64);
+
+  // what is not a quad mesh is not touched
+  Mesh triangles = SM::triangulated(SM::cube(2)), empty;
+  assert(QM::optimize_quad_structure(triangles).status == Result::not_a_quad_mesh);
+  assert(QM::optimize_quad_structure(empty).status == Result::not_a_quad_mesh);
+  Mesh cube = SM::make_mesh(SM::cube(2));
+  assert(QM::optimize_quad_structure(cube, empty).status == Result::empty_reference);
+}
+
+} // namespace
+
+int main()
+{
+  test_layouts();
+  test_twisted_cubes(QM::Structure_method::LAYOUT);
+  test_twisted_cubes(QM::Structure_method::HELICES);
+  test_twisted_meshes();
+  test_features();
+  test_targets_and_experiments();
+  test_other_graph_and_bad_input();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
