@@ -104,6 +104,9 @@ int main(int argc, char* argv[])
        "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")
       ("align-boundary", po::value<std::string>()->default_value("on"), "on or off: make the boundary a chain of quad edges")
       ("rounding", po::value<std::string>()->default_value("greedy"), "direct, greedy or lattice: how integers are found")
+      ("optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")
+      ("seed", po::value<unsigned int>()->default_value(0),
+       "seed of the edge lengths that are tried when the given one allows no valid map")
       ("save-field", po::value<std::string>(), "file for the cross field: x y z of a centroid and of a direction per line")
       ("save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")
       ("json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
@@ -132,6 +135,8 @@ int main(int argc, char* argv[])
     q.sharpness_angle = sharp_angle;
     q.align_boundary = align_boundary;
     q.rounding_method = rounding;
+    q.optimize_structure = args.has("optimize-structure");
+    q.random_seed = args.value<unsigned int>("seed");
 
     QM::Quadrangulation_result result;
     {

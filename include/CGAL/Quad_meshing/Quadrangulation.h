@@ -16,15 +16,20 @@
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Quadrangulation_result.h>
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 #include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -72,6 +77,8 @@ public:
   bool align_boundary = true;            ///< whether borders become chains of quad edges
   Rounding_method rounding_method = GREEDY_ROUNDING; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;          ///< the weight of lengths against directions, in (0, 1]
+  bool optimize_structure = false;       ///< whether `optimize_quad_structure()` makes the base complex coarser
+  unsigned int random_seed = 0;          ///< of the lengths that are tried when the map for the given one is not valid
   unsigned int smoothing_iterations = 20; ///< sweeps of the final smoothing; 0 keeps the extracted points
   /// @}
 
@@ -154,7 +161,10 @@ private:
     if(!choose_length(result) || !prepare(result) || !compute_field(direction, visitor, result) ||
        !compute_map(visitor, result) || !extract(visitor, result))
       return;
-    smooth(visitor, result);
+    if(optimize_structure && result.status == Result::VALID && result.other_faces == 0)
+      restructure(visitor, result);
+    else
+      smooth(visitor, result);
     if(result.status != Result::STOPPED)
       check(result);
   }
@@ -245,8 +255,13 @@ private:
     typedef Quadrangulation_result Result;
     std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
     auto best_uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:best_uv").first;
-    for(double relative_length : { 1., 0.96 })
+    Random random(random_seed);
+    double relative_length = 1;
+    const int most_attempts = 2;
+    for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
+      if(attempt > 0)
+        relative_length = random.get_double(0.93, 1.05);
       const Integer_grid_map_result map =
         integer_grid_map(mesh, angle, period_jump, index, uv,
                          parameters::target_edge_length(relative_length * length)
@@ -324,6 +339,34 @@ private:
       quad_mesh.clear_without_removing_property_maps();
       fail(result, Quadrangulation_result::STOPPED, smoothing.message);
     }
+  }
+
+  // Its last step is the smoothing. Vertices that it makes have no place from the extraction: they get the nearest one.
+  template <typename Visitor>
+  void restructure(Visitor& visitor, Quadrangulation_result& result)
+  {
+    typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
+    typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+    Real_timer timer;
+    timer.start();
+    const Quad_structure_optimization_result optimization =
+      optimize_quad_structure(quad_mesh, mesh,
+                              parameters::edge_is_constrained_map(quad_edge_is_feature).visitor(std::ref(visitor)),
+                              parameters::edge_is_constrained_map(is_feature));
+    quad_mesh.collect_garbage();
+    result.smoothing_seconds = timer.time();
+    if(optimization.status == Quad_structure_optimization_result::stopped)
+    {
+      quad_mesh.clear_without_removing_property_maps();
+      fail(result, Quadrangulation_result::STOPPED, optimization.message);
+      return;
+    }
+    result.quads = quad_mesh.number_of_faces();
+    result.irregular_vertices = optimization.structure_after.number_of_irregular_vertices;
+    result.folded_quads = optimization.smoothing.quality_after.number_of_inverted_quads;
+    Tree tree(faces(mesh).first, faces(mesh).second, mesh);
+    for(Mesh::Vertex_index v : quad_mesh.vertices())
+      location[v] = Polygon_mesh_processing::locate_with_AABB_tree(quad_mesh.point(v), tree, mesh);
   }
 
   // The last word: a mesh is valid if it is what the caller asked for, whatever the stages think.

@@ -177,7 +177,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
   {
     auto locations = get_parameter(np, internal_np::face_location_map);
-    const internal::Input_locator<TriangleMesh> locate(tm, vpm, q, q.smoothing_iterations > 0);
+    const internal::Input_locator<TriangleMesh> locate(tm, vpm, q, q.smoothing_iterations > 0 || q.optimize_structure);
     for(const auto& c : copies)
       put(locations, c.second, locate(c.first));
   }

@@ -59,9 +59,9 @@ struct Integer_grid_map_result
   double relaxed_energy = 0;
   /// The orientation energy with the integers that were chosen, before fold-overs were removed.
   double energy = 0;
-  /// Pairs of grid points and grid lines that were rounded onto each other and then kept apart by a demand.
+  /// Pairs of grid points and grid lines that lie so near to each other that their order was watched in the rounding.
   int separations = 0;
-  /// Such pairs that could not be kept apart.
+  /// Such pairs that could not be kept in order.
   int broken_separations = 0;
   /// Faces that are folded or have no area, by their index in the face index map, ascending.
   std::vector<std::size_t> folded_faces;

@@ -9,10 +9,10 @@
 #ifndef CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_INTEGER_GRID_SOLVER_H
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_INTEGER_GRID_SOLVER_H
 
+#include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Combed_charts.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
-#include <CGAL/Quad_meshing/Parameterization/internal/Integer_reduction.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Map_optimization.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Orientation_energy.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
@@ -58,7 +58,7 @@ public:
     const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy);
     if(!reduction.compute(energy.A, energy.b, coordinates.is_integer))
       return false;
-    relaxed = reduction.complete(reduction.S.ldlt().solve(reduction.c));
+    relaxed = reduction.complete(reduction.target());
     if(!relaxed.allFinite())
       return false;
     constant = energy.constant;
@@ -82,20 +82,16 @@ public:
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
     std::vector<int> number(coordinates.number_of_variables(), -1);
-    for(std::size_t i = 0; i < reduction.integers.size(); ++i)
-      number[reduction.integers[i]] = static_cast<int>(i);
-    Mixed_integer_problem problem(static_cast<int>(reduction.integers.size()));
-    problem.set_energy(reduction.S.sparseView(), reduction.c);
-    for(std::size_t i = 0; i < reduction.integers.size(); ++i)
-      problem.set_integer(static_cast<int>(i));
-    Eigen::VectorXd z = solve_mixed_integer(problem, parameters::rounding_method(method)).x;
+    for(std::size_t i = 0; i < reduction.integers().size(); ++i)
+      number[reduction.integers()[i]] = static_cast<int>(i);
+    Eigen::VectorXd z = solve_mixed_integer(reduction.problem(), parameters::rounding_method(method)).x;
 
     x = reduction.complete(z);
     rounded_energy = reduction.energy(x) + constant;
     if(!optimization.folded_faces(relaxed).empty())
       return; // no order of things to be kept, nothing to be carried
     Separations separations(coordinates, grid_points(), is_aligned, relaxed);
-    Separated_rounding separated(reduction.S, reduction.c, number);
+    Separated_rounding separated(reduction.matrix(), reduction.linear_term(), number);
     const Eigen::VectorXd start = reduction.complete(reduction.integers_of(relaxed));
     const int most_attempts = 8;
     std::size_t known = 0;
@@ -200,7 +196,7 @@ public:
 private:
   const Vertex_sectors sectors;
   Map_optimization optimization;
-  Integer_reduction reduction;
+  Integer_energy<> reduction;
   double constant = 0;
   bool is_carried = false;
 
@@ -213,7 +209,7 @@ private:
 
   Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const
   {
-    for(int i : reduction.integers)
+    for(int i : reduction.integers())
       z[i] = y[i];
     return z;
   }
