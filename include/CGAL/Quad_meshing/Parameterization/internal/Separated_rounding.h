@@ -156,6 +156,10 @@ private:
   {
     Move best;
     const int n = static_cast<int>(S.rows());
+    relief.assign(n, 0.);
+    for(const Inequality& inequality : inequalities)
+      for(const auto& t : inequality.terms)
+        relief[t.first] += inequality.weight * violation(inequality.value);
     for(int i = 0; i < n; ++i)
       for(int d : { -1, 1 })
       {
@@ -171,6 +175,8 @@ private:
   void consider(Move& best, int i, int d, int j, int e, double energy)
   {
     double gain = -energy;
+    if(gain + relief[i] + (j == -1 ? 0 : relief[j]) <= best.gain)
+      return;
     touched.clear();
     touch(i, d);
     if(j != -1)
@@ -191,6 +197,7 @@ private:
     }
   }
 
+  std::vector<double> relief;  // per integer: the weighted violations that its steps can end at most
   std::vector<int> touched;    // inequalities
   std::vector<double> change;  // per inequality, zero between two moves
 
