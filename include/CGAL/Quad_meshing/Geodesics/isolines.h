@@ -26,7 +26,7 @@ namespace internal {
 // Follows the isolines of one value from face to face. A vertex with the value itself counts as above it. So an isoline
 // enters a face through a halfedge on which the function falls, and leaves it through one on which it rises.
 template <typename TriangleMesh, typename VertexPointMap, typename FaceIndexMap, typename VertexDistanceMap>
-class Isoline_tracer
+class Distance_isoline_tracer
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -36,7 +36,7 @@ class Isoline_tracer
   typedef std::vector<Point> Polyline;
 
 public:
-  Isoline_tracer(const TriangleMesh& tm, VertexPointMap vpm, FaceIndexMap fim, VertexDistanceMap distances, double value)
+  Distance_isoline_tracer(const TriangleMesh& tm, VertexPointMap vpm, FaceIndexMap fim, VertexDistanceMap distances, double value)
     : m_tm(tm), m_vpm(vpm), m_fim(fim), m_distances(distances), m_value(value), m_is_visited(faces(tm).size(), false)
   {}
 
@@ -166,7 +166,7 @@ PolylineOutputIterator trace_isolines(const TriangleMesh& tm, VertexDistanceMap 
   CGAL_precondition(is_triangle_mesh(tm));
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   auto fim = get_initialized_face_index_map(tm, np);
-  internal::Isoline_tracer<TriangleMesh, decltype(vpm), decltype(fim), VertexDistanceMap> trace(tm, vpm, fim, distances, value);
+  internal::Distance_isoline_tracer<TriangleMesh, decltype(vpm), decltype(fim), VertexDistanceMap> trace(tm, vpm, fim, distances, value);
   return trace(out);
 }
 

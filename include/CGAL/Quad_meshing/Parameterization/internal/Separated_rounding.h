@@ -72,7 +72,7 @@ public:
     }
     Eigen::VectorXd best = z;
     int fewest = violated();
-    const int most_steps = 1000;
+    const int most_steps = 300;
     for(int step = 0; step < most_steps; ++step)
     {
       const Move move = best_move();
@@ -186,6 +186,7 @@ private:
       Inequality& inequality = inequalities[k];
       gain += inequality.weight * (violation(inequality.value) - violation(inequality.value + change[k]));
       change[k] = 0;
+      is_touched[k] = false;
     }
     if(gain > best.gain)
     {
@@ -200,14 +201,19 @@ private:
   std::vector<double> relief;  // per integer: the weighted violations that its steps can end at most
   std::vector<int> touched;    // inequalities
   std::vector<double> change;  // per inequality, zero between two moves
+  std::vector<bool> is_touched; // per inequality
 
   void touch(int i, int direction)
   {
     change.resize(inequalities.size(), 0.);
+    is_touched.resize(inequalities.size(), false);
     for(const auto& k : inequalities_of[i])
     {
-      if(std::find(touched.begin(), touched.end(), k.first) == touched.end())
+      if(!is_touched[k.first])
+      {
+        is_touched[k.first] = true;
         touched.push_back(k.first);
+      }
       change[k.first] += direction * k.second;
     }
   }
