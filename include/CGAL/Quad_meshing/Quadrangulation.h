@@ -258,10 +258,11 @@ private:
     Random random(random_seed);
     double relative_length = 1;
     const int most_attempts = 2;
+    const double shortest = 0.93, longest = 1.05; // within 16 percent of the number of quads
     for(int attempt = 0; attempt < most_attempts; ++attempt)
     {
       if(attempt > 0)
-        relative_length = random.get_double(0.93, 1.05);
+        relative_length = random.get_double(shortest, longest);
       const Integer_grid_map_result map =
         integer_grid_map(mesh, angle, period_jump, index, uv,
                          parameters::target_edge_length(relative_length * length)

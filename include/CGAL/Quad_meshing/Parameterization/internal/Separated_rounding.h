@@ -72,29 +72,35 @@ public:
     }
     Eigen::VectorXd best = z;
     int fewest = violated();
+    const auto keep_if_best = [&]()
+    {
+      const int n = violated();
+      if(n <= fewest)
+      {
+        fewest = n;
+        best = z;
+      }
+    };
     const int most_steps = 300;
+    const double least_gain = 1e-9 * step_weight; // less is a rounding error of the gradient
     for(int step = 0; step < most_steps; ++step)
     {
       const Move move = best_move();
-      if(move.gain > 1e-9 * step_weight)
+      if(move.gain > least_gain)
       {
         for(int k = 0; k < 2; ++k)
           if(move.integer[k] != -1)
             apply(move.integer[k], move.direction[k], z);
         continue;
       }
-      const int n = violated();
-      if(n < fewest || step == 0)
-      {
-        fewest = n;
-        best = z;
-      }
-      if(n == 0)
-        return 0;
+      keep_if_best();
+      if(fewest == 0)
+        break;
       for(Inequality& i : inequalities)
         if(violation(i.value) > 0)
           i.weight += step_weight;
     }
+    keep_if_best();
     z = best;
     return fewest;
   }
