@@ -22,7 +22,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,19 +74,21 @@ void bench(const std::string& filename)
 {
   Mesh tm;
   QM::Quadrangulation_result r;
-  Quadrangulation* q = nullptr;
+  std::unique_ptr<Quadrangulation> q;
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "bench_quadrangulate.obj";
   const double total = seconds([&]
   {
     if(!QM::read_triangle_mesh(filename, tm))
       return;
-    q = new Quadrangulation(tm, tm.points());
+    q = std::make_unique<Quadrangulation>(tm, tm.points());
     QM::Default_visitor visitor;
     r = q->run([](std::size_t) { return boost::optional<Quadrangulation::Kernel::Vector_3>(); }, visitor);
-    std::ofstream out("bench_quadrangulate.obj");
+    std::ofstream out(file);
     CGAL::IO::write_OBJ(out, q->quad_mesh, CGAL::parameters::stream_precision(17));
   });
+  std::filesystem::remove(file);
   const std::string name = filename.substr(filename.find_last_of('/') + 1);
-  if(q == nullptr)
+  if(!q)
   {
     std::printf("%s: cannot be read\n", name.c_str());
     return;
@@ -110,7 +114,6 @@ void bench(const std::string& filename)
   }
   std::printf("\n");
   std::fflush(stdout);
-  delete q;
 }
 
 } // namespace
