@@ -72,18 +72,22 @@ public:
     }
     Eigen::VectorXd best = z;
     int fewest = violated();
+    // Steps without fewer violations. However few integers there are, weights have to grow a number of times to change anything.
+    const int most_idle_steps = 300 + static_cast<int>(inequalities.size() + inequalities_of.size());
+    int patience = most_idle_steps;
     const auto keep_if_best = [&]()
     {
       const int n = violated();
+      if(n < fewest)
+        patience = most_idle_steps;
       if(n <= fewest)
       {
         fewest = n;
         best = z;
       }
     };
-    const int most_steps = 300;
     const double least_gain = 1e-9 * step_weight; // less is a rounding error of the gradient
-    for(int step = 0; step < most_steps; ++step)
+    while(patience-- > 0)
     {
       const Move move = best_move();
       if(move.gain > least_gain)
