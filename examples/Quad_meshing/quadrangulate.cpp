@@ -70,6 +70,7 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
   json.set("target_edge_length", r.target_edge_length);
   json.set("feature_edges", r.feature_edges);
   json.set("dropped_feature_edges", r.dropped_feature_edges);
+  json.set("released_feature_share", r.released_feature_share);
   json.set("prepared_faces", r.prepared_faces);
   json.set("quads", r.quads);
   json.set("other_faces", r.other_faces);
@@ -86,6 +87,7 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
   json.set("extraction_seconds", r.extraction_seconds);
   json.set("folded_quads", r.folded_quads);
   json.set("smoothing_seconds", r.smoothing_seconds);
+  json.set("structure_seconds", r.structure_seconds);
   json.set("total_seconds", r.total_seconds);
   return json;
 }

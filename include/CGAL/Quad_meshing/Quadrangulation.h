@@ -17,7 +17,9 @@
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/release_features.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 #include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -29,6 +31,7 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -158,8 +161,8 @@ private:
     result.input_faces = mesh.number_of_faces();
     topology = internal::surface_topology(mesh);
     result.components = topology.size();
-    if(!choose_length(result) || !prepare(result) || !compute_field(direction, visitor, result) ||
-       !compute_map(visitor, result) || !extract(visitor, result))
+    if(!choose_length(result) || !prepare(result) || !compute_map(direction, visitor, result) ||
+       !extract(visitor, result))
       return;
     if(optimize_structure && result.status == Result::VALID && result.other_faces == 0)
       restructure(visitor, result);
@@ -211,6 +214,7 @@ private:
       const Feature_edges_result features = detect_feature_edges(mesh, sharpness_angle, length, is_feature);
       result.feature_edges = features.number_of_edges;
       result.dropped_feature_edges = features.number_of_dropped_edges;
+      feature_length = features.length;
     }
     else
       for(Mesh::Edge_index e : mesh.edges())
@@ -240,7 +244,7 @@ private:
     result.singularities = field.singularities;
     result.field_integers = field.integers;
     result.field_energy = field.energy;
-    result.field_seconds = field.seconds;
+    result.field_seconds += field.seconds;
     if(field.status == Cross_field_status::STOPPED)
       return fail(result, Result::STOPPED, field.message);
     if(!field.is_valid() && field.status != Cross_field_status::EMPTY_SECTORS)
@@ -248,54 +252,135 @@ private:
     return true;
   }
 
-  // A slightly different length may leave room where the first one does not.
   template <typename Visitor>
-  bool compute_map(Visitor& visitor, Quadrangulation_result& result)
+  bool compute_map_once(double relative_length, Visitor& visitor, Quadrangulation_result& result, Integer_grid_map_result& map)
   {
     typedef Quadrangulation_result Result;
-    std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
-    auto best_uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:best_uv").first;
-    Random random(random_seed);
-    double relative_length = 1;
-    const int most_attempts = 2;
-    const double shortest = 0.93, longest = 1.05; // within 16 percent of the number of quads
-    for(int attempt = 0; attempt < most_attempts; ++attempt)
-    {
-      if(attempt > 0)
-        relative_length = random.get_double(shortest, longest);
-      const Integer_grid_map_result map =
-        integer_grid_map(mesh, angle, period_jump, index, uv,
-                         parameters::target_edge_length(relative_length * length)
-                           .edge_is_constrained_map(is_feature)
-                           .align_boundary(align_boundary)
-                           .rounding_method(rounding_method)
-                           .anisotropy_weight(anisotropy_weight)
-                           .visitor(std::ref(visitor)));
-      ++result.parameterization_attempts;
-      result.parameterization_seconds += map.seconds;
-      if(map.status == Integer_grid_map_result::STOPPED)
-        return fail(result, Result::STOPPED, map.message);
-      if(map.status != Integer_grid_map_result::VALID && map.status != Integer_grid_map_result::FOLDED)
-        return fail(result, Result::FAILED, map.message);
-      if(map.folded_faces.size() < fewest)
-      {
-        fewest = map.folded_faces.size();
-        for(Mesh::Halfedge_index h : mesh.halfedges())
-          best_uv[h] = uv[h];
-        result.parameterization_integers = map.integers;
-        result.parameterization_energy = map.energy;
-        result.relaxed_parameterization_energy = map.relaxed_energy;
-        result.flipped_triangles = fewest;
-        result.target_edge_length = relative_length * length;
-      }
-      if(fewest == 0)
-        break;
-    }
-    for(Mesh::Halfedge_index h : mesh.halfedges())
-      uv[h] = best_uv[h];
-    mesh.remove_property_map(best_uv);
+    map = integer_grid_map(mesh, angle, period_jump, index, uv,
+                           parameters::target_edge_length(relative_length * length)
+                             .edge_is_constrained_map(is_feature)
+                             .align_boundary(align_boundary)
+                             .rounding_method(rounding_method)
+                             .anisotropy_weight(anisotropy_weight)
+                             .visitor(std::ref(visitor)));
+    ++result.parameterization_attempts;
+    result.parameterization_seconds += map.seconds;
+    if(map.status == Integer_grid_map_result::STOPPED)
+      return fail(result, Result::STOPPED, map.message);
+    if(map.status != Integer_grid_map_result::VALID && map.status != Integer_grid_map_result::FOLDED)
+      return fail(result, Result::FAILED, map.message);
+    result.parameterization_integers = map.integers;
+    result.parameterization_energy = map.energy;
+    result.relaxed_parameterization_energy = map.relaxed_energy;
+    result.flipped_triangles = map.folded_faces.size();
+    result.target_edge_length = relative_length * length;
     return true;
   }
+
+  // The field and the map, anew until there is a map without fold-overs. If the integers are to blame, a slightly different
+  // length may leave room where the first one does not. Where sharp edges leave none, those nearby are released,
+  // farther and farther around. The map with the fewest fold-overs is kept.
+  template <typename Direction, typename Visitor>
+  bool compute_map(Direction& direction, Visitor& visitor, Quadrangulation_result& result)
+  {
+    const double shortest = 0.93, longest = 1.05; // within 16 percent of the number of quads
+    const int most_releases = 3;
+    Random random(random_seed);
+    Snapshot best;
+    Integer_grid_map_result map;
+    if(!compute_field(direction, visitor, result) || !compute_map_once(1, visitor, result, map))
+      return false;
+    best.take(*this, result);
+    if(!map.folded_faces.empty() && map.folded_before_rounding.empty())
+    {
+      if(!compute_map_once(random.get_double(shortest, longest), visitor, result, map))
+        return false;
+      best.take_if_better(*this, result);
+    }
+    double radius = 2 * length;
+    for(int release = 0; release < most_releases && !map.folded_faces.empty(); ++release, radius *= 2)
+    {
+      const double released = release_features(map, radius);
+      if(released == 0)
+        break;
+      result.released_feature_share += released / feature_length;
+      if(!compute_field(direction, visitor, result) || !compute_map_once(1, visitor, result, map))
+        return false;
+      best.take_if_better(*this, result);
+    }
+    best.restore(*this, result);
+    return true;
+  }
+
+  // The feature edges near the folded faces of a map. Those that the user has marked are not for us to release.
+  double release_features(const Integer_grid_map_result& map, double radius)
+  {
+    if(features_are_given)
+      return 0;
+    std::vector<Mesh::Face_index> folded;
+    for(std::size_t f : map.folded_before_rounding.empty() ? map.folded_faces : map.folded_before_rounding)
+      folded.push_back(Mesh::Face_index(static_cast<Mesh::size_type>(f)));
+    return internal::release_features(mesh, mesh.points(), folded, radius, is_feature);
+  }
+
+  // The field and the map of an attempt, with their figures.
+  struct Snapshot
+  {
+    std::vector<bool> is_feature;
+    std::vector<double> angle;
+    std::vector<int> period_jump, index;
+    std::vector<Kernel::Point_2> uv;
+    Quadrangulation_result result;
+
+    void take(const Quadrangulation& q, const Quadrangulation_result& r)
+    {
+      is_feature = values(q.is_feature, q.mesh.edges());
+      angle = values(q.angle, q.mesh.faces());
+      period_jump = values(q.period_jump, q.mesh.edges());
+      index = values(q.index, q.mesh.vertices());
+      uv = values(q.uv, q.mesh.halfedges());
+      result = r;
+    }
+
+    void take_if_better(const Quadrangulation& q, const Quadrangulation_result& r)
+    {
+      if(r.flipped_triangles < result.flipped_triangles)
+        take(q, r);
+    }
+
+    // The times are those of all attempts.
+    void restore(Quadrangulation& q, Quadrangulation_result& r) const
+    {
+      assign(q.is_feature, q.mesh.edges(), is_feature);
+      assign(q.angle, q.mesh.faces(), angle);
+      assign(q.period_jump, q.mesh.edges(), period_jump);
+      assign(q.index, q.mesh.vertices(), index);
+      assign(q.uv, q.mesh.halfedges(), uv);
+      const Quadrangulation_result last = r;
+      r = result;
+      r.field_seconds = last.field_seconds;
+      r.parameterization_seconds = last.parameterization_seconds;
+      r.parameterization_attempts = last.parameterization_attempts;
+    }
+
+  private:
+    template <typename Map, typename Range>
+    static std::vector<typename Map::value_type> values(const Map& map, const Range& range)
+    {
+      std::vector<typename Map::value_type> result;
+      for(auto i : range)
+        result.push_back(map[i]);
+      return result;
+    }
+
+    template <typename Map, typename Range>
+    static void assign(Map& map, const Range& range, const std::vector<typename Map::value_type>& values)
+    {
+      std::size_t k = 0;
+      for(auto i : range)
+        map[i] = values[k++];
+    }
+  };
 
   template <typename Visitor>
   bool extract(Visitor& visitor, Quadrangulation_result& result)
@@ -339,15 +424,15 @@ private:
     {
       quad_mesh.clear_without_removing_property_maps();
       fail(result, Quadrangulation_result::STOPPED, smoothing.message);
+      return;
     }
+    locate_vertices();
   }
 
-  // Its last step is the smoothing. Vertices that it makes have no place from the extraction: they get the nearest one.
+  // Its last step is the smoothing.
   template <typename Visitor>
   void restructure(Visitor& visitor, Quadrangulation_result& result)
   {
-    typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
-    typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
     Real_timer timer;
     timer.start();
     const Quad_structure_optimization_result optimization =
@@ -355,7 +440,7 @@ private:
                               parameters::edge_is_constrained_map(quad_edge_is_feature).visitor(std::ref(visitor)),
                               parameters::edge_is_constrained_map(is_feature));
     quad_mesh.collect_garbage();
-    result.smoothing_seconds = timer.time();
+    result.structure_seconds = timer.time();
     if(optimization.status == Quad_structure_optimization_result::stopped)
     {
       quad_mesh.clear_without_removing_property_maps();
@@ -365,7 +450,15 @@ private:
     result.quads = quad_mesh.number_of_faces();
     result.irregular_vertices = optimization.structure_after.number_of_irregular_vertices;
     result.folded_quads = optimization.smoothing.quality_after.number_of_inverted_quads;
-    Tree tree(faces(mesh).first, faces(mesh).second, mesh);
+    locate_vertices();
+  }
+
+  // Vertices that have moved, or that the extraction did not make, lie at the nearest place of the triangle mesh.
+  void locate_vertices()
+  {
+    typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
+    typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+    const Tree tree(faces(mesh).first, faces(mesh).second, mesh);
     for(Mesh::Vertex_index v : quad_mesh.vertices())
       location[v] = Polygon_mesh_processing::locate_with_AABB_tree(quad_mesh.point(v), tree, mesh);
   }
@@ -379,20 +472,36 @@ private:
       flips = " (" + std::to_string(result.flipped_triangles) + " triangles of the map are folded over)";
     if(result.status == Result::NOT_VALID)
       result.message += flips;
-    else if(!is_quad_mesh(quad_mesh))
-      fail(result, Result::NOT_VALID, std::to_string(result.other_faces) + " faces are not quads" + flips + ".");
+    else if(!defects().empty())
+      fail(result, Result::NOT_VALID, defects() + flips + ".");
     else if(internal::surface_topology(quad_mesh) != topology)
       fail(result, Result::NOT_VALID, "The topology of the quad mesh is not that of the input" + flips + ".");
     else
     {
       result.status = Result::VALID;
       result.message = "A pure quad mesh with the topology of the input";
-      result.message += result.target_edge_length == length
-        ? "."
-        : ", for edges of length " + std::to_string(result.target_edge_length / length) + " times the one asked for.";
+      if(result.target_edge_length != length)
+        result.message += ", for edges of length " + std::to_string(result.target_edge_length / length) + " times the one asked for";
+      if(result.released_feature_share != 0)
+        result.message += "; " + std::to_string(std::lround(100 * result.released_feature_share)) +
+                          " percent of the length of the sharp edges left no room for quads along them and were not followed";
+      result.message += ".";
     }
   }
 
+  // What keeps the result from being a pure quad mesh for somebody who reads it as points and polygons.
+  std::string defects() const
+  {
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::vector<std::size_t> > polygons;
+    Polygon_mesh_processing::polygon_mesh_to_polygon_soup(quad_mesh, points, polygons);
+    std::string list;
+    for(const std::string& reason : find_quad_mesh_defects(points, polygons).reasons())
+      list += (list.empty() ? "" : ", ") + reason;
+    return list;
+  }
+
+  double feature_length = 0; // of all feature edges that were detected
   double length = 0; // of a quad edge, as asked for
   std::vector<internal::Component_topology> topology; // of the input
 };

@@ -43,6 +43,8 @@ struct Quadrangulation_result
   double target_edge_length = 0;
   std::size_t feature_edges = 0;            ///< sharp edges of the input that were kept
   std::size_t dropped_feature_edges = 0;    ///< sharp edges that were taken for noise
+  /// The part, from 0 to 1, of the length of the `feature_edges` that was not followed, as no map without fold-overs could do so.
+  double released_feature_share = 0;
   std::size_t prepared_faces = 0;           ///< triangles after edges were split
 
   int singularities = 0;                    ///< vertices of the field with an index other than zero
@@ -64,6 +66,7 @@ struct Quadrangulation_result
 
   std::size_t folded_quads = 0;             ///< after the smoothing
   double smoothing_seconds = 0;
+  double structure_seconds = 0;             ///< of the optimization of the structure, its smoothing included
 
   double total_seconds = 0;
 

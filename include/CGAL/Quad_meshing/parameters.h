@@ -60,6 +60,7 @@
 //   keep_windows                    bool          false saves memory and leaves distances at vertices only; true
 //
 // Structure of quad meshes
+//   optimize_structure              bool          whether quadrangulate() makes the base complex coarser; false
 //   structure_method                Structure_method  how the structure is optimized; LAYOUT
 //   merge_singularities             bool          whether irregular vertices may be merged with each other and moved
 //                                                 onto constrained edges; false
@@ -73,6 +74,7 @@
 #define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                          \
   CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
   CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
+  CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)            \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
   CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \

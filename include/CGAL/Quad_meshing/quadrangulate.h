@@ -102,6 +102,17 @@ The result depends on nothing but the input and the parameters.
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{20}
   \cgalParamNEnd
+  \cgalParamNBegin{optimize_structure}
+    \cgalParamDescription{whether `optimize_quad_structure()` makes the base complex coarser: fewer patches with the same irregular
+                          vertices}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the edge lengths that are tried when the map for the given one is not valid}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
   \cgalParamNBegin{face_location_map}
     \cgalParamDescription{receives for every vertex of `qm` where it lies on `tm`}
     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `qm` as keys and
@@ -157,6 +168,8 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   q.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), q.align_boundary);
   q.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), q.rounding_method);
   q.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), q.anisotropy_weight);
+  q.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), q.optimize_structure);
+  q.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), q.random_seed);
   q.smoothing_iterations =
     choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), q.smoothing_iterations);
 
@@ -177,7 +190,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
   {
     auto locations = get_parameter(np, internal_np::face_location_map);
-    const internal::Input_locator<TriangleMesh> locate(tm, vpm, q, q.smoothing_iterations > 0 || q.optimize_structure);
+    const internal::Input_locator<TriangleMesh> locate(tm, vpm, q);
     for(const auto& c : copies)
       put(locations, c.second, locate(c.first));
   }

@@ -65,6 +65,9 @@ struct Integer_grid_map_result
   int broken_separations = 0;
   /// Faces that are folded or have no area, by their index in the face index map, ascending.
   std::vector<std::size_t> folded_faces;
+  /// Those that were folded already in the map without integer conditions: if there are some, the field and the constrained edges
+  /// leave no room there, whatever the integers.
+  std::vector<std::size_t> folded_before_rounding;
   /// The wall-clock time.
   double seconds = 0;
 
@@ -278,6 +281,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   result.broken_separations = solver.number_of_broken_separations;
   for(int f : solver.folded_faces())
     result.folded_faces.push_back(f);
+  result.folded_before_rounding.assign(solver.folded_before_rounding.begin(), solver.folded_before_rounding.end());
 
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type UV_point;
   for(int f = 0; f < mesh.number_of_faces(); ++f)

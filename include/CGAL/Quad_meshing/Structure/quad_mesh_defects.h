@@ -143,7 +143,7 @@ Quad_mesh_defects find_quad_mesh_defects(const PointRange& points, const Polygon
   std::sort(sides.begin(), sides.end());
   for(std::size_t i = 0, j; i < sides.size(); i = j)
   {
-    for(j = i; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {}
+    for(j = i + 1; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {}
     d.non_manifold_edges += j - i > 2;
     d.inconsistent_edges += j - i == 2 && sides[i].is_ascending == sides[i + 1].is_ascending;
     for(std::size_t k = i + 1; k < j; ++k)

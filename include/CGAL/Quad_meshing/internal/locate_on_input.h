@@ -11,9 +11,6 @@
 
 #include <CGAL/Quad_meshing/Quadrangulation.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -36,10 +33,9 @@ public:
   typedef Quadrangulation::Kernel::Point_3 Point_3;
   typedef Polygon_mesh_processing::Face_location<TriangleMesh, double> Location;
 
-  // With `vertices_have_moved` the places are the nearest ones of the prepared mesh, else those of the extraction.
   template <typename VertexPointMap>
-  Input_locator(const TriangleMesh& tm, VertexPointMap vpm, const Quadrangulation& q, bool vertices_have_moved)
-    : q(q), vertices_have_moved(vertices_have_moved)
+  Input_locator(const TriangleMesh& tm, VertexPointMap vpm, const Quadrangulation& q)
+    : q(q)
   {
     for(auto f : faces(tm))
     {
@@ -54,35 +50,20 @@ public:
       });
       points.push_back(p);
     }
-    if(vertices_have_moved)
-      tree.insert(faces(q.mesh).first, faces(q.mesh).second, q.mesh);
   }
 
   Location operator()(Mesh::Vertex_index v) const
   {
-    Mesh::Face_index f;
-    Point_3 p = q.quad_mesh.point(v);
-    if(vertices_have_moved)
-    {
-      const auto nearest = tree.closest_point_and_primitive(p);
-      p = nearest.first;
-      f = nearest.second;
-    }
-    else
-      f = q.location[v].first;
-    const std::size_t i = q.origin[f];
+    const Quadrangulation::Location& location = q.location[v];
+    const Point_3 p = Polygon_mesh_processing::construct_point(location, q.mesh);
+    const std::size_t i = q.origin[location.first];
     return Location(input_faces[i], weights(p, points[i]));
   }
 
 private:
-  typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  typedef AABB_tree<AABB_traits<Quadrangulation::Kernel, Primitive> > Tree;
-
   const Quadrangulation& q;
-  bool vertices_have_moved;
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> input_faces;
   std::vector<std::array<Point_3, 3> > points; // per input face
-  Tree tree;
 
   // Barycentric weights of a point of the triangle; of the nearest corner if the triangle has no area.
   static std::array<double, 3> weights(const Point_3& p, const std::array<Point_3, 3>& t)

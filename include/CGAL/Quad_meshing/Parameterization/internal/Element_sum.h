@@ -49,6 +49,8 @@ public:
       triplets.emplace_back(i, j, value);
   }
 
+  double number_of_dense_rows() const { return static_cast<double>(far_numbers.size()); }
+
   // `shift` is added to the diagonal.
   Eigen::SparseMatrix<double> matrix(double shift = 0)
   {

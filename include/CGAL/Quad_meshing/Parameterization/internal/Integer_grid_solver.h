@@ -63,6 +63,7 @@ public:
       return false;
     constant = energy.constant;
     relaxed_energy = reduction.energy(relaxed) + constant;
+    optimization.operations_left = most_operations;
     // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a stiffer map.
     const Eigen::VectorXd start = relaxed;
     if(untangle_seamless(relaxed))
@@ -72,6 +73,7 @@ public:
     untangle_seamless(other);
     if(optimization.folded_faces(other).size() < optimization.folded_faces(relaxed).size())
       relaxed = other;
+    folded_before_rounding = optimization.folded_faces(relaxed);
     return true;
   }
 
@@ -88,8 +90,9 @@ public:
 
     x = reduction.complete(z);
     rounded_energy = reduction.energy(x) + constant;
-    if(!optimization.folded_faces(relaxed).empty())
+    if(!folded_before_rounding.empty())
       return; // no order of things to be kept, nothing to be carried
+    optimization.operations_left = most_operations;
     Separations separations(coordinates, grid_points(), is_aligned, relaxed);
     Separated_rounding separated(reduction.matrix(), reduction.linear_term(), number);
     const Eigen::VectorXd start = reduction.complete(reduction.integers_of(relaxed));
@@ -101,6 +104,8 @@ public:
       separated.add(separations.list);
       number_of_broken_separations = separated.improve(z);
       x = reduction.complete(z);
+      if(reduction.energy(x) > 0)
+        break; // directions and lengths are worse than those of a map of everything to one point
       Eigen::VectorXd y = relaxed;
       is_carried = optimization.carry(y, x - start, coordinates.is_integer);
       if(is_carried)
@@ -119,12 +124,15 @@ public:
   {
     if(is_carried)
       return;
+    optimization.operations_left = most_operations;
     const Eigen::VectorXd carried =
       with_integers_of(x, relaxed + x - reduction.complete(reduction.integers_of(relaxed)));
     if(optimization.folded_faces(carried).size() < optimization.folded_faces(x).size())
       x = carried;
     stiffen(x, coordinates.is_integer, stiffening_iterations, anisotropy);
-    optimization.untangle(x, coordinates.is_integer);
+    // What did not unfold before the rounding will hardly do so after it.
+    const int few_rings = 3, many_rings = 12;
+    optimization.untangle(x, coordinates.is_integer, folded_before_rounding.empty() ? many_rings : few_rings);
   }
 
   // The vertices that lie on grid points whatever the real variables are: singular ones, and those where aligned
@@ -190,6 +198,7 @@ public:
   const Seamless_coordinates coordinates;
   const Face_gradients faces;
   Eigen::VectorXd relaxed, x;
+  std::vector<int> folded_before_rounding; // faces
   double relaxed_energy = 0, rounded_energy = 0;
   int number_of_separations = 0, number_of_broken_separations = 0;
 
@@ -199,6 +208,9 @@ private:
   Integer_energy<> reduction;
   double constant = 0;
   bool is_carried = false;
+  // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
+  // triangle no amount of work helps.
+  static constexpr double most_operations = 2e10;
 
   bool untangle_seamless(Eigen::VectorXd& y)
   {

@@ -52,6 +52,10 @@ public:
       weight[f] = (std::max)(faces.area[f], least);
   }
 
+  // Operations that the repairs may still spend on assembling and factorizing; the descent ends where none are left. A count
+  // and not a time, so that results do not depend on the machine.
+  double operations_left = (std::numeric_limits<double>::max)();
+
   // The faces that are folded over, and all the faces of a sector around a vertex whose images wind around it too often or
   // too seldom: there the map is not injective although every triangle may be well oriented.
   std::vector<int> folded_faces(const Eigen::VectorXd& x) const { return faces_below(x, 0); }
@@ -429,11 +433,11 @@ private:
     return d;
   }
 
-  void assemble(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const
+  void assemble(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian)
   {
     gradient = Eigen::VectorXd::Zero(variables.size());
     Element_sum sum(coordinates, number, static_cast<int>(variables.size()), 36 * active.size());
-    double trace = 0;
+    double trace = 0, additions = 0;
     std::vector<int> local, place(variables.size(), -1);
     Eigen::MatrixXd B, HB, lH; // B: d (J00, J01, J10, J11) / d local variables
     for(int f : active)
@@ -462,6 +466,7 @@ private:
       distortion.derivatives(faces.jacobian(f, corner_coordinates(coordinates, f, x)), g, H);
       HB.noalias() = weight[f] * H * B;
       lH.noalias() = B.transpose() * HB;
+      additions += double(local.size()) * local.size();
       for(std::size_t i = 0; i < local.size(); ++i)
       {
         gradient[local[i]] += weight[f] * B.col(i).dot(g);
@@ -471,6 +476,10 @@ private:
         place[local[i]] = -1;
       }
     }
+    // A dense part of the integers, and nested dissection of a plane for the rest.
+    const double per_addition = 10, per_variable = 10;
+    operations_left -= per_addition * additions + std::pow(sum.number_of_dense_rows(), 3) / 3 +
+                       per_variable * std::pow(variables.size(), 1.5);
     // Keeps the matrix definite where an element Hessian has nothing to say.
     const double relative_regularization = 1e-10;
     hessian = sum.matrix(relative_regularization * trace / (std::max)(std::size_t(1), variables.size()));
@@ -486,7 +495,7 @@ private:
     bool analyzed = false;
     int steps_since_unfolded = 0;
     double worst_before = -(std::numeric_limits<double>::max)();
-    for(int step = 0; step < steps; ++step)
+    for(int step = 0; step < steps && operations_left > 0; ++step)
     {
       const double d = least_determinant(x);
       // The worst triangle must get better from time to time, or there is no room for it.

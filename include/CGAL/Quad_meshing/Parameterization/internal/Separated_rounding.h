@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -58,17 +59,21 @@ public:
         inequalities_of[t.first].emplace_back(static_cast<int>(inequalities.size()), t.second);
       inequalities.push_back(inequality);
     }
+    find_shared_inequalities();
   }
 
   // Returns the number of separations that do not hold.
   int improve(Eigen::VectorXd& z)
   {
     gradient = S * z - c;
+    relief.assign(S.rows(), 0.);
+    step_gain.assign(S.rows(), {{ 0., 0. }});
     for(Inequality& i : inequalities)
     {
       i.value = 0;
       for(const auto& t : i.terms)
         i.value += t.second * z[t.first];
+      count(i, 1);
     }
     Eigen::VectorXd best = z;
     int fewest = violated();
@@ -86,10 +91,14 @@ public:
         best = z;
       }
     };
+    const double most_shared = 2e9; // a bound on the work
     const double least_gain = 1e-9 * step_weight; // less is a rounding error of the gradient
-    while(patience-- > 0)
+    shared_left = most_shared;
+    while(patience-- > 0 && shared_left > 0)
     {
-      const Move move = best_move();
+      Move move = best_step();
+      if(move.gain <= least_gain)
+        move = best_pair_of_steps();
       if(move.gain > least_gain)
       {
         for(int k = 0; k < 2; ++k)
@@ -102,7 +111,11 @@ public:
         break;
       for(Inequality& i : inequalities)
         if(violation(i.value) > 0)
+        {
+          count(i, -1);
           i.weight += step_weight;
+          count(i, 1);
+        }
     }
     keep_if_best();
     z = best;
@@ -114,6 +127,12 @@ private:
   {
     std::vector<std::pair<int, double> > terms;
     double value = 0, weight = 0;
+  };
+
+  struct Shared
+  {
+    int inequality;
+    double coefficient[2]; // of the two integers of a step
   };
 
   struct Move
@@ -128,8 +147,12 @@ private:
   const std::vector<int>& number;
   std::vector<Inequality> inequalities;
   std::vector<std::vector<std::pair<int, double> > > inequalities_of; // per integer: their numbers and its coefficients
-  std::vector<std::vector<int> > partners;        // per integer: the later ones that it is coupled with
+  std::vector<std::vector<int> > partners;        // per integer: others that it is coupled with, each pair once
   Eigen::VectorXd gradient;
+  std::vector<double> relief;                      // per integer: the weighted violations that its steps can end at most
+  std::vector<std::array<double, 2> > step_gain;   // per integer, down and up: by how much a step lessens the weighted violations
+  std::vector<std::vector<std::vector<Shared> > > shared; // per integer and partner
+  double shared_left = 0; // terms of this list that may still be visited
   double step_weight = 0; // what one step of one integer costs on average
 
   static double violation(double value)
@@ -158,74 +181,107 @@ private:
       const std::size_t m = (std::min)(most_partners, coupling.size());
       std::partial_sort(coupling.begin(), coupling.begin() + m, coupling.end());
       for(std::size_t k = 0; k < m; ++k)
-        partners[i].push_back(coupling[k].second);
+      {
+        const int j = coupling[k].second;
+        if(j > i || std::find(partners[j].begin(), partners[j].end(), i) == partners[j].end())
+          partners[i].push_back(j);
+      }
     }
   }
 
-  Move best_move()
+  // Adds the share of an inequality to what steps gain, or takes it away, with sign -1, before the inequality changes.
+  void count(const Inequality& inequality, double sign)
+  {
+    const double now = sign * inequality.weight * violation(inequality.value);
+    for(const auto& t : inequality.terms)
+    {
+      relief[t.first] += now;
+      for(int d : { 0, 1 })
+        step_gain[t.first][d] +=
+          now - sign * inequality.weight * violation(inequality.value + (d == 0 ? -t.second : t.second));
+    }
+  }
+
+  // The inequalities that a step of two integers changes by both: only there it gains something else than the two steps do.
+  void find_shared_inequalities()
+  {
+    shared.resize(partners.size());
+    for(std::size_t i = 0; i < partners.size(); ++i)
+    {
+      shared[i].resize(partners[i].size());
+      for(std::size_t k = 0; k < partners[i].size(); ++k)
+      {
+        shared[i][k].clear();
+        const auto& a = inequalities_of[i];
+        const auto& b = inequalities_of[partners[i][k]];
+        for(std::size_t p = 0, q = 0; p < a.size() && q < b.size();)
+          if(a[p].first < b[q].first)
+            ++p;
+          else if(b[q].first < a[p].first)
+            ++q;
+          else
+          {
+            shared[i][k].push_back(Shared{ a[p].first, a[p].second, b[q].second });
+            ++p;
+            ++q;
+          }
+      }
+    }
+  }
+
+  Move best_step() const
   {
     Move best;
-    const int n = static_cast<int>(S.rows());
-    relief.assign(n, 0.);
-    for(const Inequality& inequality : inequalities)
-      for(const auto& t : inequality.terms)
-        relief[t.first] += inequality.weight * violation(inequality.value);
-    for(int i = 0; i < n; ++i)
+    for(int i = 0; i < static_cast<int>(S.rows()); ++i)
       for(int d : { -1, 1 })
+        offer(best, i, d, -1, 0, gain_of_step(i, d) - d * gradient[i] - 0.5 * S(i, i));
+    return best;
+  }
+
+  Move best_pair_of_steps()
+  {
+    Move best;
+    for(int i = 0; i < static_cast<int>(S.rows()); ++i)
+      for(std::size_t k = 0; k < partners[i].size(); ++k)
       {
-        const double energy = d * gradient[i] + 0.5 * S(i, i);
-        consider(best, i, d, -1, 0, energy);
-        for(int j : partners[i])
+        const int j = partners[i][k];
+        for(int d : { -1, 1 })
           for(int e : { -1, 1 })
-            consider(best, i, d, j, e, energy + e * gradient[j] + 0.5 * S(j, j) + d * e * S(i, j));
+          {
+            const double energy = d * gradient[i] + 0.5 * S(i, i) + e * gradient[j] + 0.5 * S(j, j) + d * e * S(i, j);
+            if(relief[i] + relief[j] - energy <= best.gain)
+              continue;
+            offer(best, i, d, j, e, gain_of_step(i, d) + gain_of_step(j, e) + gain_of_both(shared[i][k], d, e) - energy);
+            shared_left -= static_cast<double>(shared[i][k].size());
+          }
       }
     return best;
   }
 
-  void consider(Move& best, int i, int d, int j, int e, double energy)
+  double gain_of_step(int i, int direction) const { return step_gain[i][direction > 0]; }
+
+  // What two steps gain together beyond what each of them gains alone.
+  double gain_of_both(const std::vector<Shared>& list, int d, int e) const
   {
-    double gain = -energy;
-    if(gain + relief[i] + (j == -1 ? 0 : relief[j]) <= best.gain)
-      return;
-    touched.clear();
-    touch(i, d);
-    if(j != -1)
-      touch(j, e);
-    for(int k : touched)
+    double gain = 0;
+    for(const Shared& s : list)
     {
-      Inequality& inequality = inequalities[k];
-      gain += inequality.weight * (violation(inequality.value) - violation(inequality.value + change[k]));
-      change[k] = 0;
-      is_touched[k] = false;
+      const Inequality& inequality = inequalities[s.inequality];
+      const double v = inequality.value, a = d * s.coefficient[0], b = e * s.coefficient[1];
+      gain += inequality.weight * (violation(v + a) + violation(v + b) - violation(v) - violation(v + a + b));
     }
-    if(gain > best.gain)
-    {
-      best.integer[0] = i;
-      best.direction[0] = d;
-      best.integer[1] = j;
-      best.direction[1] = e;
-      best.gain = gain;
-    }
+    return gain;
   }
 
-  std::vector<double> relief;  // per integer: the weighted violations that its steps can end at most
-  std::vector<int> touched;    // inequalities
-  std::vector<double> change;  // per inequality, zero between two moves
-  std::vector<bool> is_touched; // per inequality
-
-  void touch(int i, int direction)
+  static void offer(Move& best, int i, int d, int j, int e, double gain)
   {
-    change.resize(inequalities.size(), 0.);
-    is_touched.resize(inequalities.size(), false);
-    for(const auto& k : inequalities_of[i])
-    {
-      if(!is_touched[k.first])
-      {
-        is_touched[k.first] = true;
-        touched.push_back(k.first);
-      }
-      change[k.first] += direction * k.second;
-    }
+    if(gain <= best.gain)
+      return;
+    best.integer[0] = i;
+    best.direction[0] = d;
+    best.integer[1] = j;
+    best.direction[1] = e;
+    best.gain = gain;
   }
 
   void apply(int i, int direction, Eigen::VectorXd& z)
@@ -233,7 +289,11 @@ private:
     z[i] += direction;
     gradient += direction * S.col(i);
     for(const auto& k : inequalities_of[i])
+    {
+      count(inequalities[k.first], -1);
       inequalities[k.first].value += direction * k.second;
+      count(inequalities[k.first], 1);
+    }
   }
 };
 
