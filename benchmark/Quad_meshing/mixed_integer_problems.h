@@ -9,6 +9,8 @@
 #ifndef CGAL_QUAD_MESHING_BENCHMARK_MIXED_INTEGER_PROBLEMS_H
 #define CGAL_QUAD_MESHING_BENCHMARK_MIXED_INTEGER_PROBLEMS_H
 
+#include "mixed_integer_grids.h"
+
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/internal/Mixed_integer_field.h>
@@ -49,21 +51,14 @@ inline Problem make_map(int width, int integers)
   Problem problem(width * width);
   for(int k = 0; k < integers; ++k)
     problem.add_variable(true);
-  const auto index = [width](int i, int j) { return i * width + j; };
-  for(int i = 0; i < width; ++i)
-    for(int j = 0; j < width; ++j)
-      for(int d = 0; d < 2; ++d)
-      {
-        const int i2 = i + (d == 0), j2 = j + (d == 1);
-        if(i2 == width || j2 == width)
-          continue;
-        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
-        // Cut k crosses the edges of a row segment.
-        const int cut = (i * integers) / width;
-        if(d == 0 && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
-          form.emplace_back(width * width + cut, 1.);
-        problem.add_squared_residual(form, random.get_double(-0.6, 0.7));
-      }
+  for_each_grid_edge(width, [&](int i, int j, bool is_down, Problem::Linear_form form)
+  {
+    // Cut k crosses the edges of a row segment.
+    const int cut = (i * integers) / width;
+    if(is_down && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
+      form.emplace_back(width * width + cut, 1.);
+    problem.add_squared_residual(form, random.get_double(-0.6, 0.7));
+  });
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   return problem;
 }
@@ -74,20 +69,13 @@ inline Problem make_field(int width)
   CGAL::Random random(2);
   const double quarter = 1.57079632679489661923;
   Problem problem(width * width);
-  const auto index = [width](int i, int j) { return i * width + j; };
-  for(int i = 0; i < width; ++i)
-    for(int j = 0; j < width; ++j)
-      for(int d = 0; d < 2; ++d)
-      {
-        const int i2 = i + (d == 0), j2 = j + (d == 1);
-        if(i2 == width || j2 == width)
-          continue;
-        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
-        const bool is_tree_edge = d == 1 || j == 0;
-        if(!is_tree_edge)
-          form.emplace_back(problem.add_variable(true), quarter);
-        problem.add_squared_residual(form, random.get_double(-0.25, 0.25));
-      }
+  for_each_grid_edge(width, [&](int, int j, bool is_down, Problem::Linear_form form)
+  {
+    const bool is_tree_edge = !is_down || j == 0;
+    if(!is_tree_edge)
+      form.emplace_back(problem.add_variable(true), quarter);
+    problem.add_squared_residual(form, random.get_double(-0.25, 0.25));
+  });
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   return problem;
 }

@@ -11,6 +11,7 @@
 #include "command_line.h"
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
+#include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 
@@ -188,6 +189,18 @@ void add_sharp_edges(double angle, Mesh& tm, Field& field)
     throw Unusable_input("--sharp-edges: there is no edge with such an angle");
 }
 
+// Writes the lower and the upper bound of each distance, a vertex in each line.
+template <typename EnclosureMap>
+void write_enclosures(const std::string& filename, const Mesh& tm, const EnclosureMap& enclosures)
+{
+  std::ofstream os = command_line::open_output(filename);
+  for(Mesh::Vertex_index v : tm.vertices())
+    os << enclosures[v].inf() << " " << enclosures[v].sup() << "\n";
+  os.close();
+  if(!os)
+    throw Unusable_input(filename + ": writing failed");
+}
+
 // Writes a mesh with the vertex property 'distance'.
 void write_distances(const std::string& filename, const Mesh& tm, const std::function<double(Mesh::Vertex_index)>& distance)
 {
@@ -245,6 +258,8 @@ int distances(int argc, char* argv[])
     ("boundary", "the boundary is a source")
     ("sharp-edges", po::value<double>(), "the edges with a dihedral angle above this one (degrees) are a source")
     ("epsilon", po::value<double>()->default_value(0), "relative error allowed, 0 for exact distances")
+    ("certified", "enclose each distance in an interval that is guaranteed to contain it, and write the intervals")
+    ("enclosures-out", po::value<std::string>(), "file for the intervals, the lower and the upper bound of each vertex in a line; default: OUT.enclosures.txt")
     ("vertices-only", "keep no windows: less memory, for large meshes")
     ("refine", po::value<double>(), "refine the mesh until linear interpolation of the distance is good to this length "
                                     "(OUT must be .ply)")
@@ -267,7 +282,7 @@ int distances(int argc, char* argv[])
   if(args.has("isolines"))
     args.positive_number("isolines");
   const bool vertices_only = args.has("vertices-only");
-  for(const char* option : { "refine", "paths-from" })
+  for(const char* option : { "refine", "paths-from", "certified" })
     if(vertices_only && args.has(option))
       throw Unusable_input(std::string("--vertices-only excludes --") + option);
 
@@ -321,6 +336,16 @@ int distances(int argc, char* argv[])
             << " vertices unreached, " << result.seconds << " s\n";
 
   bool is_valid = true;
+  if(args.has("certified"))
+  {
+    auto enclosures = tm.add_property_map<Mesh::Vertex_index, CGAL::Interval_nt<> >("v:enclosure").first;
+    const QM::Distance_certificate certificate = QM::certify_distances(field, enclosures, params::visitor(std::ref(progress_bar)));
+    write_enclosures(args.has("enclosures-out") ? args.value<std::string>("enclosures-out") : out + ".enclosures.txt", tm, enclosures);
+    std::cout << "the distances are certain up to " << certificate.largest_width << ", relative to the distance " << certificate.largest_relative_width
+              << "\n";
+    json.set("enclosure_width", certificate.largest_relative_width);
+    json.set("largest_enclosure_width", certificate.largest_width);
+  }
   if(args.has("paths-from"))
   {
     const std::string filename = args.has("paths-out") ? args.value<std::string>("paths-out") : out + ".paths.txt";

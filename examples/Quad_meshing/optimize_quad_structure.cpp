@@ -10,12 +10,16 @@
 
 #include "command_line.h"
 
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
 
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -45,37 +49,28 @@ Mesh read_quad_mesh(const std::string& filename)
   return qm;
 }
 
-// Sharp edges in groups of few are noise on a curved surface, not features; returns how many have been dropped.
-std::size_t mark_sharp_edges(const Mesh& qm, double sharp_angle, Mesh::Property_map<Mesh::Edge_index, bool> is_sharp)
+// Marks the edges of a quad mesh that lie on marked edges of its reference, as far as a part of their length.
+template <typename SharpEdges>
+void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& is_sharp_in_reference, SharpEdges is_sharp)
 {
-  constexpr std::size_t least_group = 10;
-  if(sharp_angle >= 180)
-    return 0;
-  PMP::detect_sharp_edges(qm, sharp_angle, is_sharp);
-  std::size_t dropped = 0;
-  std::vector<char> seen(qm.number_of_edges(), 0);
-  for(Mesh::Edge_index first : qm.edges())
+  constexpr double nearby = 0.1;
+  typedef std::vector<Kernel::Segment_3> Segments;
+  typedef CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator> Primitive;
+  Segments segments;
+  for(Mesh::Edge_index e : tm.edges())
+    if(is_sharp_in_reference[e])
+      segments.emplace_back(tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1)));
+  if(segments.empty())
+    return;
+  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(segments.begin(), segments.end());
+  for(Mesh::Edge_index e : qm.edges())
   {
-    if(!is_sharp[first] || qm.is_border(first) || seen[first])
-      continue;
-    std::vector<Mesh::Edge_index> group(1, first);
-    seen[first] = 1;
-    for(std::size_t i = 0; i < group.size(); ++i)
-      for(int end : { 0, 1 })
-        for(Mesh::Halfedge_index h : halfedges_around_target(qm.halfedge(group[i], end), qm))
-          if(is_sharp[qm.edge(h)] && !qm.is_border(qm.edge(h)) && !seen[qm.edge(h)])
-          {
-            seen[qm.edge(h)] = 1;
-            group.push_back(qm.edge(h));
-          }
-    if(group.size() < least_group)
-    {
-      dropped += group.size();
-      for(Mesh::Edge_index e : group)
-        is_sharp[e] = false;
-    }
+    const Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));
+    const double far = nearby * nearby * CGAL::squared_distance(p, q);
+    is_sharp[e] = true;
+    for(const Point_3& x : { p, q, CGAL::midpoint(p, q) })
+      is_sharp[e] = is_sharp[e] && tree.squared_distance(x) < far;
   }
-  return dropped;
 }
 
 } // namespace
@@ -88,10 +83,10 @@ int main(int argc, char* argv[])
     options.add_options()
       ("reference", po::value<std::string>(), "triangle mesh that the result is smoothed on (default: the surface of IN)")
       ("method", po::value<std::string>()->default_value("layout"), "layout: search a coarse layout and multiply its dual curves; helices: remove helices one by one")
-      ("iterations", po::value<unsigned int>()->default_value(5000), "number of layouts that are tried")
+      ("iterations", po::value<unsigned int>()->default_value(10000), "number of layouts that are tried")
       ("merge-singularities", "allow irregular vertices to be merged with each other and moved onto sharp edges")
       ("collapse-loops", "collapse all dual curves that can be collapsed, at the end")
-      ("sharp-angle", po::value<double>()->default_value(40), "edges with a larger angle between normals are kept (degrees; 180 = none)")
+      ("sharp-angle", po::value<double>()->default_value(40), "edges with a larger angle between normals are kept, those of the reference if there is one (degrees; 180 = none)")
       ("target-quads", po::value<std::size_t>()->default_value(0), "largest number of quads (0 = as many as IN; 1 = the layout itself)")
       ("target-patches", po::value<std::size_t>()->default_value(0), "largest size of the base complex (0 = no target)")
       ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
@@ -105,7 +100,19 @@ int main(int argc, char* argv[])
     Mesh qm = read_quad_mesh(args.positional(0));
     command_line::check_mesh_output(args.positional(1));
     auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-    const std::size_t dropped = mark_sharp_edges(qm, sharp_angle, is_sharp);
+    const double edge_length = QM::quad_mesh_quality(qm).mean_edge_length;
+    std::size_t dropped;
+    Mesh tm;
+    auto is_sharp_in_reference = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+    if(args.has("reference"))
+    {
+      tm = command_line::read_mesh<Mesh>(args.value<std::string>("reference"));
+      is_sharp_in_reference = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+      dropped = QM::detect_feature_edges(tm, sharp_angle, edge_length, is_sharp_in_reference).number_of_dropped_edges;
+      mark_edges_on_reference(qm, tm, is_sharp_in_reference, is_sharp);
+    }
+    else
+      dropped = QM::detect_feature_edges(qm, sharp_angle, edge_length, is_sharp).number_of_dropped_edges;
 
     CGAL::Real_timer timer;
     timer.start();
@@ -118,17 +125,9 @@ int main(int argc, char* argv[])
                       .target_number_of_patches(args.value<std::size_t>("target-patches"))
                       .edge_is_constrained_map(is_sharp)
                       .visitor(std::ref(progress));
-    QM::Quad_structure_optimization_result result;
-    if(args.has("reference"))
-    {
-      Mesh tm = command_line::read_mesh<Mesh>(args.value<std::string>("reference"));
-      auto is_sharp_in_reference = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-      if(sharp_angle < 180)
-        PMP::detect_sharp_edges(tm, sharp_angle, is_sharp_in_reference);
-      result = QM::optimize_quad_structure(qm, tm, np, CGAL::parameters::edge_is_constrained_map(is_sharp_in_reference));
-    }
-    else
-      result = QM::optimize_quad_structure(qm, np);
+    const QM::Quad_structure_optimization_result result = args.has("reference")
+      ? QM::optimize_quad_structure(qm, tm, np, CGAL::parameters::edge_is_constrained_map(is_sharp_in_reference))
+      : QM::optimize_quad_structure(qm, np);
 
     command_line::write_mesh(args.positional(1), qm);
     const bool valid = result.status == QM::Quad_structure_optimization_result::optimized
@@ -148,6 +147,8 @@ int main(int argc, char* argv[])
     json.set("base_complex_after", after.number_of_patches);
     json.set("helices_before", before.number_of_helices);
     json.set("helices_after", after.number_of_helices);
+    json.set("helices_with_crossings_before", before.number_of_helices_with_crossings);
+    json.set("helices_with_crossings_after", after.number_of_helices_with_crossings);
     json.set("irregular_vertices", after.number_of_irregular_vertices);
     json.set("dropped_sharp_edges", dropped);
     json.set("operators_applied", result.operators_applied);

@@ -106,6 +106,7 @@ void report_structure(const Mesh& qm, Report& r)
   r.add("base_complex_arcs", s.number_of_arcs, "arcs");
   r.add("base_complex_share", s.patch_density(), "patches per quad");
   r.add("helices", s.number_of_helices, "minimal helices");
+  r.add("helices_with_crossings", s.number_of_helices_with_crossings, "  and with turns that cross themselves");
   r.add("helix_smallest_pitch", s.smallest_pitch, "  smallest pitch");
   r.add("helix_largest_winding_number", s.largest_winding_number, "  largest winding number");
   r.add("class", name_of(s.classification()), "class");

@@ -229,7 +229,7 @@ int solve(int argc, char* argv[])
             << solution.conflicting_constraints.size() << " conflicting); left after elimination: "
             << solution.free_variables << " variables, " << solution.free_integers << " integers\n"
             << solution.factorizations << " factorizations, " << solution.seconds << " s" << std::endl;
-  if(args.has("out") && solution.x.size() > 0)
+  if(args.has("out") && solution.x.size() == problem.number_of_variables())
     write_solution(args.value<Text>("out"), problem, solution.x);
   if(args.has("json"))
   {

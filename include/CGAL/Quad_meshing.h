@@ -25,6 +25,7 @@
 #include <CGAL/Quad_meshing/Fields/sizing.h>
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
+#include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Quad_meshing/IO/Flat_json.h>

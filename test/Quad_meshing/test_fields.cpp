@@ -544,7 +544,7 @@ void test_close_pairs()
         for(double reach : { 0.9 * straight, 1.01 * length })
         {
           I::Cross_field merged = spoilt;
-          I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.));
+          I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
           I::merge_close_pairs(problem, laplacian, reach, quads, merged);
           if(reach < straight)
             assert(merged.period_jump == spoilt.period_jump && merged.angle == spoilt.angle);
@@ -582,6 +582,63 @@ struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
   void progress(double p) { assert(p >= last && p <= 1); last = p; }
   bool go_further() { return ++asked < 3; }
 };
+
+// The search leaves a local minimum in which two opposite singularities lie far apart, and foresees energies correctly.
+void test_annihilation()
+{
+  namespace I = CGAL::Quad_meshing::internal;
+  std::cout << "annihilation" << std::endl;
+  const Mesh tm = make_mesh<Mesh>(torus(40, 20));
+  const I::Indexed_triangle_mesh m =
+    I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+  I::Field_problem problem(m);
+  problem.find_components();
+  problem.sectors = I::make_field_sectors(m, problem.aligned);
+  I::Dual_laplacian laplacian(problem);
+  I::Cross_field field;
+  CGAL::Quad_meshing::Default_visitor visitor;
+  Result result;
+  assert(I::Field_solver<CGAL::Quad_meshing::Default_visitor>(problem, I::Field_options(), visitor)(field, result) == Status::SUCCESS);
+  const std::vector<double> no_costs(m.number_of_vertices(), 0.);
+  const auto go_further = [] { return true; };
+  for(int steps : { 2, 7, 10 })
+  {
+    // The pair and the path between them.
+    I::Cross_field spoilt = field;
+    std::vector<std::pair<int, int> > path;
+    int h = 0;
+    for(int i = 0; i < steps; ++i)
+    {
+      const int e = m.edge_of[h];
+      path.emplace_back(e, m.halfedge_of_edge[e] == h ? 1 : -1);
+      spoilt.period_jump[e] += path.back().second;
+      h = m.next(h);
+      h = m.next(m.opposite[m.next(m.opposite[h])]);
+    }
+    laplacian.solve_angles(spoilt);
+    {
+      const I::Sector_quads quads(problem, field, no_costs, 0.);
+      I::Jump_candidates candidates(problem, laplacian);
+      candidates.update(field, quads);
+      const double foreseen = candidates.change_path(path, field), change = problem.energy(spoilt) - problem.energy(field);
+      assert(change > 0.1 && std::abs(foreseen - change) < 0.05 * change);
+      candidates.update(spoilt, quads);
+      const double residual = candidates[0].residual, self = candidates.energy_change(0, 1);
+      I::Cross_field changed = spoilt;
+      changed.period_jump[candidates[0].edge] += 1;
+      candidates.change_jump(0, 1);
+      laplacian.solve_angles(changed);
+      assert(std::abs(problem.residual(candidates[0].edge, spoilt) - residual) < 1e-9);
+      assert(std::abs(problem.residual(candidates[0].edge, changed) - candidates[0].residual) < 1e-2);
+      assert(std::abs(problem.energy(changed) - problem.energy(spoilt) - self) < 1e-2);
+    }
+    I::Sector_quads quads(problem, spoilt, no_costs, 0.);
+    I::Jump_polish polish(problem, laplacian);
+    const double energy = polish.annihilate(spoilt, quads, 4, go_further);
+    assert(I::field_indices(problem, spoilt) == std::vector<int>(m.number_of_vertices(), 0));
+    assert(std::abs(problem.energy(spoilt) - energy) < 1e-9 && std::abs(energy - problem.energy(field)) < 1e-9);
+  }
+}
 
 void test_input()
 {
@@ -704,6 +761,7 @@ int main()
   test_sectors();
   test_singularities_near_features();
   test_close_pairs();
+  test_annihilation();
   test_input();
   test_real_meshes();
   return EXIT_SUCCESS;

@@ -8,6 +8,8 @@
 
 // Mixed-integer problems against brute force, and methods against each other.
 
+#include "mixed_integer_grids.h"
+
 #include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
@@ -490,24 +492,15 @@ void test_linear_programs(CGAL::Random& random)
 Problem grid_problem(CGAL::Random& random, int width, int integers)
 {
   Problem problem(width * width);
-  const auto index = [width](int i, int j) { return i * width + j; };
   std::vector<int> jumps;
   for(int k = 0; k < integers; ++k)
     jumps.push_back(problem.add_variable(true));
-  for(int i = 0; i < width; ++i)
-    for(int j = 0; j < width; ++j)
-    {
-      for(int d = 0; d < 2; ++d)
-      {
-        const int i2 = i + (d == 0), j2 = j + (d == 1);
-        if(i2 == width || j2 == width)
-          continue;
-        Problem::Linear_form form = { { index(i2, j2), 1. }, { index(i, j), -1. } };
-        if(random.get_int(0, 4) == 0)
-          form.emplace_back(jumps[random.get_int(0, integers)], random.get_int(0, 2) ? 1. : -1.);
-        problem.add_squared_residual(form, uniform(random, -0.7, 0.7));
-      }
-    }
+  for_each_grid_edge(width, [&](int, int, bool, Problem::Linear_form form)
+  {
+    if(random.get_int(0, 4) == 0)
+      form.emplace_back(jumps[random.get_int(0, integers)], random.get_int(0, 2) ? 1. : -1.);
+    problem.add_squared_residual(form, uniform(random, -0.7, 0.7));
+  });
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   return problem;
 }
@@ -558,18 +551,12 @@ void test_leaves(CGAL::Random& random)
   for(int trial = 0; trial < 5; ++trial)
   {
     Problem problem(width * width);
-    for(int i = 0; i < width; ++i)
-      for(int j = 0; j < width; ++j)
-        for(int d = 0; d < 2; ++d)
-        {
-          const int i2 = i + (d == 0), j2 = j + (d == 1);
-          if(i2 == width || j2 == width)
-            continue;
-          Problem::Linear_form form = { { i2 * width + j2, 1. }, { i * width + j, -1. } };
-          if(d == 0 && j > 0)
-            form.emplace_back(problem.add_variable(true), uniform(random, 0.5, 2.));
-          problem.add_squared_residual(form, uniform(random, -1., 1.));
-        }
+    for_each_grid_edge(width, [&](int, int j, bool is_down, Problem::Linear_form form)
+    {
+      if(is_down && j > 0)
+        form.emplace_back(problem.add_variable(true), uniform(random, 0.5, 2.));
+      problem.add_squared_residual(form, uniform(random, -1., 1.));
+    });
     problem.add_squared_residual({ { 0, 1. } }, 0.3);
     problem.add_squared_residual({ { problem.add_variable(true), 1. } }, 0.4); // without neighbors
     if(trial > 2)

@@ -87,12 +87,13 @@ namespace Quad_meshing {
  *     \cgalParamDefault{no direction is given}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_length}
- *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, singularities are kept
+ *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, vertices
+ *       get three quads or more, if that is not too dear, singularities are kept
  *       off places that are closer than half of it to a constrained edge without being on it, if that costs little energy,
  *       and opposite singularities closer than that to each other annihilate each other, unless one lies on a
  *       constrained edge: no grid with such quads has room for both.}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{singularities may be anywhere}
+ *     \cgalParamDefault{only the smoothness counts: singularities may be anywhere and have any index}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cross_field_method}
  *     \cgalParamDescription{how the period jumps are found}

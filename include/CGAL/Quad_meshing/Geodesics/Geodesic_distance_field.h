@@ -43,6 +43,8 @@ struct Field_access
 {
   template <typename Field> static const auto& mesh(const Field& f) { return f.m_mesh; }
   template <typename Field> static const auto& sources(const Field& f) { return f.m_sources; }
+  template <typename Field> static const auto& graph(const Field& f) { return f.m_tm; }
+  template <typename Field, typename Vertex> static int index(const Field& f, Vertex v) { return f.index(v); }
 
   // null if there is no field, or none with windows
   template <typename Field> static const auto* propagation(const Field& f)

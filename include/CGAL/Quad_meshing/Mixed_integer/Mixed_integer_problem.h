@@ -176,14 +176,18 @@ public:
   /// @{
 
   /// demands `form = rhs`.
+  /// \pre the variables of the form exist
   void add_equality_constraint(const Linear_form& form, double rhs)
   {
+    CGAL_precondition(is_form(form));
     m_equalities.push_back(Linear_constraint{form, rhs});
   }
 
   /// demands `form <= rhs`. Only the branch-and-bound family knows inequality constraints.
+  /// \pre the variables of the form exist
   void add_inequality_constraint(const Linear_form& form, double rhs)
   {
+    CGAL_precondition(is_form(form));
     m_inequalities.push_back(Linear_constraint{form, rhs});
   }
 
@@ -208,6 +212,13 @@ public:
 
 private:
   bool is_variable(int i) const { return i >= 0 && i < number_of_variables(); }
+  bool is_form(const Linear_form& form) const
+  {
+    for(const std::pair<int, double>& a : form)
+      if(!is_variable(a.first))
+        return false;
+    return true;
+  }
 
   std::vector<char> m_is_integer;
   std::vector<double> m_lower, m_upper;

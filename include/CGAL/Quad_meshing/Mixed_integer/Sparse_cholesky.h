@@ -68,6 +68,9 @@ public:
     m_solver->cholmod().nthreads_max = 1;
 #endif
 #endif
+    m_analyzed = A.nonZeros() > 0; // an empty matrix is singular, and its arrays may not exist
+    if(!m_analyzed)
+      return;
     m_solver->analyzePattern(A);
     m_analyzed = (m_solver->info() == Eigen::Success);
   }

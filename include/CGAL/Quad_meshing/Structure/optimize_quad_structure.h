@@ -74,12 +74,13 @@ struct Structure_options
   bool collapse_dual_curves = false;
   std::size_t target_quads = 0;
   std::size_t target_patches = 0;
-  unsigned int layouts = 5000;
+  unsigned int layouts = 10000;
   unsigned int smoothing_iterations = 20;
 };
 
-// Looks for a coarse layout. Takes the best one on which the smoothing leaves no more inverted quads than there were
-// before, and else the mesh as it is. `smooth(state)` smooths and returns what has been done.
+// Looks for a coarse layout. Takes the best one on which the smoothing leaves no inverted quads; if the input has such
+// quads itself, else one with not many more of them; else the mesh as it is. `smooth(state)` smooths and returns what has
+// been done.
 template <typename Smooth, typename Visitor>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Smooth& smooth, Visitor& visitor)
 {
@@ -90,12 +91,24 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   const std::size_t inverted_before = quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
   Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
   layout.search(static_cast<int>(options.layouts), [&] { return visitor.go_further(); }, [&](double p) { visitor.progress(p); });
-  for(State candidate; visitor.go_further() && layout.next(candidate); )
-    if(smooth(candidate).quality_after.number_of_inverted_quads <= inverted_before)
+  // How many more layouts are tried for one without inverted quads once there is one that could be taken.
+  constexpr int further_layouts = 6;
+  const std::size_t most_inverted = 2 * inverted_before;
+  State best;
+  std::size_t least_inverted = most_inverted + 1;
+  int left = further_layouts;
+  for(State candidate; least_inverted > 0 && left > 0 && visitor.go_further() && layout.next(candidate); )
+  {
+    left -= least_inverted <= most_inverted;
+    const std::size_t inverted = smooth(candidate).quality_after.number_of_inverted_quads;
+    if(inverted < least_inverted)
     {
-      optimizer.set_state(std::move(candidate));
-      return;
+      least_inverted = inverted;
+      best = std::move(candidate);
     }
+  }
+  if(least_inverted <= most_inverted)
+    optimizer.set_state(std::move(best));
 }
 
 // The greedy algorithm of section 10.3.
@@ -234,7 +247,7 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
   options.collapse_dual_curves = choose_parameter(get_parameter(np, internal_np::collapse_dual_curves), false);
   options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), 0);
   options.target_patches = choose_parameter(get_parameter(np, internal_np::target_number_of_patches), 0);
-  options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5000);
+  options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10000);
   options.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations), 20);
 
   Result result;
@@ -351,7 +364,7 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *     \cgalParamDescription{the number of layouts that are tried at random, from the first one on. More of them take more
  *                           time and find fewer patches and helices.}
  *     \cgalParamType{unsigned int}
- *     \cgalParamDefault{`5000`}
+ *     \cgalParamDefault{`10000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{smoothing_iterations}
  *     \cgalParamDescription{number of sweeps of the smoothing at the end; with 0, nothing is smoothed at all}

@@ -98,6 +98,8 @@ struct Quad_mesh_structure
   /// \name Helices
   /// @{
   std::size_t number_of_helices = 0;              ///< minimal q-helices
+  /// the same if a turn may cross itself: how often a dual curve comes back beside itself in any way.
+  std::size_t number_of_helices_with_crossings = 0;
   int smallest_pitch = 0;                         ///< smallest absolute pitch, 0 if there are no helices
   double largest_winding_number = 0;              ///< largest winding number
   /// @}
@@ -131,7 +133,7 @@ struct Quad_mesh_structure
  * \ingroup PkgQuadMeshingStructureRef
  *
  * \brief is a minimal q-helix: a part of a dual curve along which `turn_length` steps ahead lead to
- * the same place as `abs(pitch)` steps sideways.
+ * the same place as `abs(pitch)` steps sideways, in the same direction. No turn crosses itself.
  *
  * \tparam QuadMesh a model of `FaceListGraph`
  */
@@ -216,8 +218,10 @@ inline Quad_mesh_structure structure_of_quad_mesh(const Indexed_quad_mesh& m)
   for(int corners : bc.corners_of_patch)
     s.number_of_patches_not_rectangular += corners != 4;
 
-  const std::vector<Helix_record> helices = minimal_helices(m, lines, side_relations(m, lines));
+  const std::vector<Side_relation> relation = side_relations(m, lines);
+  const std::vector<Helix_record> helices = minimal_helices(m, lines, relation);
   s.number_of_helices = helices.size();
+  s.number_of_helices_with_crossings = minimal_helices(m, lines, relation, true).size();
   for(const Helix_record& h : helices)
   {
     s.smallest_pitch = s.smallest_pitch == 0 ? std::abs(h.pitch) : (std::min)(s.smallest_pitch, std::abs(h.pitch));

@@ -118,7 +118,7 @@ public:
   {
     // The vector decays like the field of a dipole on its way up the tree; what is dropped changes the
     // entries of P, which are at most one, by a few times its size.
-    const double negligible = 1e-4;
+    const double negligible = 2e-4;
 
     const auto& l = m_cholesky.matrixL().nestedExpression();
     Sparse_vector y;

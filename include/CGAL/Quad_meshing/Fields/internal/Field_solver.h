@@ -21,9 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -73,7 +70,7 @@ inline int count_integers(const Field_problem& problem)
   return integers;
 }
 
-// Computes a smooth cross field (thesis 8.2) from one or several starts and keeps the best.
+// Computes a smooth cross field (thesis 8.2).
 template <typename Visitor>
 class Field_solver
 {
@@ -96,12 +93,6 @@ public:
 private:
   Cross_field_status solve(Cross_field& field, Cross_field_result& result)
   {
-    // The local search ends in different minima from starts of different smoothness. On small meshes
-    // both starts are the same, on large ones a second start costs more than it is worth.
-    const int clusters_of_starts[] = { 6000, 400 };
-    const int nf = m_problem.mesh.number_of_faces();
-    const bool two_starts = nf >= 2 * clusters_of_starts[1] && nf < 50000;
-
     result.integers = count_integers(m_problem);
     result.conflicting_faces = m_problem.conflicting_faces;
     for(char c : m_problem.constrained)
@@ -110,98 +101,61 @@ private:
       return Cross_field_status::NUMERICAL_FAILURE;
 
     const bool polished = m_options.method == Cross_field_method::POLISHED;
-    const int starts = polished && two_starts ? 2 : 1;
-    for(int start = 0; start < starts; ++start)
+    if(polished)
     {
-      Cross_field candidate;
-      if(polished)
-      {
-        if(!Representation_field(m_problem, clusters_of_starts[start])(candidate.angle))
-          return Cross_field_status::NUMERICAL_FAILURE;
-        round_jumps(m_problem, candidate);
-      }
-      else if(!Mixed_integer_field(m_problem).solve(rounding_method(), candidate))
+      // More make the start smoother, but take longer, and the search ends no lower.
+      const int clusters = 6000;
+      if(!Representation_field(m_problem, clusters)(field.angle))
         return Cross_field_status::NUMERICAL_FAILURE;
-
-      m_laplacian.solve_angles(candidate);
-      Sector_quads quads(m_problem, candidate, m_costs);
-      if(quads.number_of_empty_sectors() > 0)
-      {
-        quads.fill_empty_sectors(candidate);
-        m_laplacian.solve_angles(candidate);
-      }
-      if(improve_and_keep(candidate, quads))
-        result.initial_energy = m_initial_energy;
-      if(!m_visitor.go_further())
-        return Cross_field_status::STOPPED;
-      m_visitor.progress((start + 1.) / (starts + 1));
+      round_jumps(m_problem, field);
     }
-    if(!m_best_quads) // no energy is a number
+    else if(!Mixed_integer_field(m_problem).solve(rounding_method(), field))
       return Cross_field_status::NUMERICAL_FAILURE;
-    if(polished && !shake())
+
+    m_laplacian.solve_angles(field);
+    Sector_quads quads(m_problem, field, m_costs, doublet_cost);
+    if(quads.number_of_empty_sectors() > 0)
+    {
+      quads.fill_empty_sectors(field);
+      m_laplacian.solve_angles(field);
+    }
+    result.initial_energy = m_problem.energy(field);
+    if(!std::isfinite(result.initial_energy))
+      return Cross_field_status::NUMERICAL_FAILURE;
+    m_visitor.progress(0.5);
+    if(polished)
+    {
+      const auto go_further = [&] { return m_visitor.go_further(); };
+      m_polish(field, quads, go_further);
+      if(m_options.target_edge_length <= 0)
+      {
+        // Singularities of high index were kept from each other so far, or single changes could hardly part them.
+        quads = Sector_quads(m_problem, field, m_costs, 0.);
+        m_polish(field, quads, go_further);
+      }
+      m_polish.annihilate(field, quads, number_of_trials(), go_further);
+    }
+    if(!m_visitor.go_further())
       return Cross_field_status::STOPPED;
     if(m_options.target_edge_length > 0)
-      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, *m_best_quads, m_best);
+      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, quads, field);
     m_visitor.progress(1.);
 
-    field = m_best;
-    result.empty_sectors = m_best_quads->number_of_empty_sectors();
+    result.empty_sectors = quads.number_of_empty_sectors();
     m_problem.normalize(field);
     result.energy = m_problem.energy(field);
     return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
   }
 
-  // Polishes a field, unless another method was asked for, and keeps it if it is the best so far.
-  bool improve_and_keep(Cross_field& candidate, Sector_quads& quads)
+  // How many pairs of singularities the search may annihilate for a trial: so many that on small meshes they take about as long as
+  // all the rest, and enough for those of large ones.
+  int number_of_trials() const
   {
-    m_initial_energy = m_problem.energy(candidate);
-    const double total = m_options.method == Cross_field_method::POLISHED
-                       ? m_polish(candidate, quads, [&] { return m_visitor.go_further(); }) : m_initial_energy;
-    if(!(total < m_lowest))
-      return false;
-    m_lowest = total;
-    m_best = candidate;
-    m_best_quads.reset(new Sector_quads(quads));
-    return true;
+    return (std::min)(100, m_problem.mesh.number_of_faces() / 20);
   }
 
-  // Leaves the local minimum by a few arbitrary moves next to singularities and polishes again, more often
-  // on small meshes, where that costs nothing. Returns false if the visitor stopped it.
-  bool shake()
-  {
-    const int nf = m_problem.mesh.number_of_faces();
-    const int times = nf == 0 ? 0 : (std::min)(20, 30000 / nf);
-    const int moves = 6;
-    const double singular_residual = 0.15; // see Jump_polish
-
-    std::mt19937 random; // the same numbers on every platform
-    for(int i = 0; i < times; ++i)
-    {
-      if(!m_visitor.go_further())
-        return false;
-      std::vector<int> edges;
-      for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
-        if(m_problem.is_movable(e) && std::abs(m_problem.residual(e, m_best)) > singular_residual)
-          edges.push_back(e);
-      if(edges.empty())
-        return true;
-      Cross_field candidate = m_best;
-      Sector_quads quads = *m_best_quads;
-      for(int k = 0; k < moves; ++k)
-      {
-        const int e = edges[random() % edges.size()];
-        const int by = m_problem.residual(e, m_best) < 0 ? 1 : -1;
-        if(std::isfinite(quads.cost_change(e, by)))
-        {
-          candidate.period_jump[e] += by;
-          quads.change_jump(e, by);
-        }
-      }
-      m_laplacian.solve_angles(candidate);
-      improve_and_keep(candidate, quads);
-    }
-    return true;
-  }
+  // A vertex with two quads folds them onto each other: more than any singularity is worth, in a mesh of quads.
+  static constexpr double doublet_cost = 2.;
 
   Rounding_method rounding_method() const
   {
@@ -219,12 +173,6 @@ private:
   Dual_laplacian m_laplacian;
   Jump_polish m_polish;
   const std::vector<double> m_costs; // per vertex, of a singularity there
-
-  // The best field so far, its quads, and its energy plus the cost of its sectors.
-  Cross_field m_best;
-  std::unique_ptr<Sector_quads> m_best_quads;
-  double m_lowest = std::numeric_limits<double>::infinity();
-  double m_initial_energy = 0; // of the last field before its polish
 };
 
 } // namespace internal

@@ -11,10 +11,14 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Fields/internal/Jump_candidates.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <deque>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,277 +32,327 @@ namespace internal {
 // A change of one jump moves a singularity along an edge, creates a pair of opposite ones or
 // annihilates it; two changes move one twice as far or move two that hold each other. With the
 // angles eliminated the gain of every move is known exactly from the residuals and a few entries
-// of the projector P (see Dual_laplacian), so one factorization serves them all. Only edges with
-// a large residual can gain: those next to singularities.
+// of the projector P, so one factorization serves them all, and after a move only the candidates around it
+// have to be looked at again.
 class Jump_polish
 {
 public:
   Jump_polish(const Field_problem& problem, Dual_laplacian& laplacian)
-    : m_problem(problem), m_laplacian(laplacian)
-    , m_candidate_of_edge(problem.mesh.number_of_edges(), -1)
-    , m_mark(problem.mesh.number_of_faces(), -1)
+    : m_problem(problem), m_laplacian(laplacian), m_candidates(problem, laplacian)
   {}
 
-  // Polishes the field, whose angles are the best ones for its jumps; so they are again at the end.
-  // Returns the energy plus the cost of the sectors. `go_further` is asked between the rounds. What has been computed about
-  // candidates serves later calls as well.
+  // Moves downhill until no move gains. The angles of the field are the best ones for its jumps, and so they are again at
+  // the end. Returns the energy plus the cost of the sectors. `go_further` is asked between the rounds.
   template <typename Go_further>
   double operator()(Cross_field& field, Sector_quads& quads, const Go_further& go_further)
   {
-    m_quads = &quads;
+    begin(field, quads);
+    enqueue_all();
+    descend(field);
+    settle(field, go_further);
+    return m_total;
+  }
 
-    // The residuals of far candidates are only brought up to date between rounds, and every jump is
-    // changed at most once per round (what is neglected of P could otherwise make a cycle of changes look
-    // like an endless gain), so a round may leave something for the next; a handful is usual.
-    const int maximum_rounds = 100;
+  // Leaves the local minimum: annihilates a pair of opposite singularities, goes downhill from there, and takes that back if it
+  // does not end lower; first all with their nearest partners, then with the second nearest, and so on, at most `trials` times.
+  template <typename Go_further>
+  double annihilate(Cross_field& field, Sector_quads& quads, int trials, const Go_further& go_further)
+  {
+    const int most_partners = 3;
 
-    double energy = m_problem.energy(field) + m_quads->cost();
-    for(int round = 0; round < maximum_rounds && go_further(); ++round)
-    {
-      find_candidates(field);
-      const Cross_field before = field;
-      const Sector_quads::State quads_before = m_quads->state();
-      if(!improve(field))
-        break;
-      m_laplacian.solve_angles(field);
-      const double new_energy = m_problem.energy(field) + m_quads->cost();
-      if(!(new_energy < energy - smallest_gain))
+    m_candidates.forget(); // those that the way here has left behind
+    begin(field, quads);
+    for(int partner = 0; partner < most_partners; ++partner)
+      for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
       {
-        field = before;
-        m_quads->set_state(quads_before);
-        break;
+        const Path path = path_to_opposite(s, partner);
+        if(path.empty())
+          continue;
+        if(trials-- <= 0 || !go_further())
+          return m_total;
+        try_path(path, field, go_further);
       }
-      energy = new_energy;
-    }
-    return energy;
+    return m_total;
   }
 
 private:
   // One jump to be changed by +1 or -1.
-  struct Change { int candidate; int by; };
+  struct Change { int candidate = -1, by = 0; };
+  struct Move { Change first, second; double change = 0; };
+  typedef std::vector<std::pair<int, int> > Path; // edges and the changes of their jumps
 
-  struct Candidate
+  // A gain below this may be due to what is neglected of P. Energies are of the order of one half per singularity.
+  static constexpr double smallest_gain = 1e-3;
+
+  void begin(const Cross_field& field, Sector_quads& quads)
   {
-    int edge = -1;
-    double residual = 0;
-    double self = 1;                              // P_ee
-    bool changed = false;                         // in this round
-    std::vector<std::pair<int, double> > others;  // candidates around and the entries of P
-  };
+    m_quads = &quads;
+    m_total = m_problem.energy(field) + quads.cost();
+    save(field);
+    update_candidates(field);
+  }
 
-  // A gain below this is rounding: energies are of the order of one per singularity.
-  static constexpr double smallest_gain = 1e-9;
-
-  void find_candidates(const Cross_field& field)
+  void update_candidates(const Cross_field& field)
   {
-    // A change gains at most pi |r| - (pi/2)^2 P_ee. In a triangulation P_ee is 1/3 on average (the
-    // effective resistance of an edge) and hardly ever below 0.2.
-    const double smallest_residual = 0.15;
+    m_candidates.update(field, *m_quads);
+    m_is_queued.assign(m_candidates.size(), 0);
+  }
 
-    const int first_new = static_cast<int>(m_candidates.size());
-    for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
-      if(m_candidate_of_edge[e] == -1 && m_problem.is_movable(e) &&
-         (std::abs(m_problem.residual(e, field)) > smallest_residual || m_quads->is_costly(e)))
-      {
-        m_candidate_of_edge[e] = static_cast<int>(m_candidates.size());
-        m_candidates.emplace_back();
-        m_candidates.back().edge = e;
-        m_half_column.push_back(m_laplacian.half_column(e));
-      }
-    for(Candidate& c : m_candidates)
+  void enqueue_all()
+  {
+    for(int i = 0; i < m_candidates.size(); ++i)
+      enqueue(i);
+  }
+
+  void save(const Cross_field& field)
+  {
+    m_saved = field;
+    m_saved_quads = m_quads->state();
+  }
+
+  // Goes downhill with all angles computed anew, until no move gains, and keeps the result if it is the lowest so far; else the
+  // field becomes again what it was when it was lowest.
+  template <typename Go_further>
+  void settle(Cross_field& field, const Go_further& go_further)
+  {
+    // The residuals of far candidates are only brought up to date between rounds, so a round may leave
+    // something for the next; a handful is usual.
+    const int maximum_rounds = 100;
+
+    double last = std::numeric_limits<double>::infinity();
+    bool is_saved = false;
+    for(int round = 0; round < maximum_rounds; ++round)
     {
-      c.residual = m_problem.residual(c.edge, field);
-      c.changed = false;
+      m_laplacian.solve_angles(field);
+      const double total = m_problem.energy(field) + m_quads->cost();
+      is_saved = total < m_total - smallest_gain;
+      if(is_saved)
+      {
+        m_total = total;
+        save(field);
+      }
+      if(!(total < last - smallest_gain) || !go_further())
+        break;
+      last = total;
+      update_candidates(field);
+      m_log.clear();
+      enqueue_all();
+      descend(field);
+      if(m_log.empty())
+        break;
+      is_saved = false;
     }
-
-    m_dense.resize(m_laplacian.number_of_unknowns(), 0.);
-    for(int i = first_new; i < static_cast<int>(m_candidates.size()); ++i)
+    if(!is_saved)
     {
-      const Sparse_vector& y = m_half_column[i];
-      double self = 1;
-      for(std::size_t p = 0; p < y.index.size(); ++p)
-      {
-        m_dense[y.index[p]] = y.value[p];
-        self -= y.value[p] * y.value[p];
-      }
-      m_candidates[i].self = self;
-      for(int j : candidates_around(i))
-      {
-        if(j >= i)
-          continue;
-        double entry = 0;
-        const Sparse_vector& z = m_half_column[j];
-        for(std::size_t p = 0; p < z.index.size(); ++p)
-          entry -= m_dense[z.index[p]] * z.value[p];
-        m_candidates[i].others.emplace_back(j, entry);
-        m_candidates[j].others.emplace_back(i, entry);
-      }
-      for(int k : y.index)
-        m_dense[k] = 0;
+      field = m_saved;
+      m_quads->set_state(m_saved_quads);
+    }
+    update_candidates(field);
+  }
+
+  void enqueue(int i)
+  {
+    if(!m_is_queued[i] && is_promising(i))
+    {
+      m_is_queued[i] = 1;
+      m_queue.push_back(i);
     }
   }
 
-  // The candidates within a few faces of candidate i; what a change does to residuals further away
-  // decays with the square of the distance.
-  std::vector<int> candidates_around(int i)
+  bool is_promising(int i) const
   {
-    const int steps = 10;
-    const Indexed_triangle_mesh& m = m_problem.mesh;
-    std::vector<int> result, front, next_front;
-    for(int f : { m_problem.first_face(m_candidates[i].edge), m_problem.second_face(m_candidates[i].edge) })
-    {
-      m_mark[f] = i;
-      front.push_back(f);
-    }
-    for(int step = 0; step < steps && !front.empty(); ++step)
-    {
-      next_front.clear();
-      for(int f : front)
-        for(int h = 3 * f; h < 3 * f + 3; ++h)
-        {
-          const int c = m_candidate_of_edge[m.edge_of[h]];
-          if(c != -1 && c != i)
-            result.push_back(c);
-          const int o = m.opposite[h];
-          if(o != -1 && m_mark[o / 3] != i)
-          {
-            m_mark[o / 3] = i;
-            next_front.push_back(o / 3);
-          }
-        }
-      front.swap(next_front);
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
+    return std::abs(m_candidates[i].residual) > Jump_candidates::smallest_residual || m_quads->is_costly(m_candidates[i].edge);
   }
 
-  // How the energy changes, without the cost of sectors.
-  double energy_change(const Change& a) const
+  // Applies the best move of every queued candidate. Returns the change of energy and cost.
+  double descend(Cross_field& field)
   {
-    const Candidate& c = m_candidates[a.candidate];
-    return quarter_turn * (quarter_turn * c.self + 2 * a.by * c.residual);
-  }
+    // What is neglected of P could make a cycle of moves look like an endless gain.
+    std::size_t steps = 4 * static_cast<std::size_t>(m_candidates.size());
 
-  // Changes jumps, best gains first, until neither one change nor a pair gains. Returns whether any
-  // did.
-  bool improve(Cross_field& field)
-  {
-    bool any = false;
-    for(;;)
+    double total = 0;
+    for(; !m_queue.empty(); m_queue.pop_front())
     {
-      if(change_singles(field) || change_pairs(field))
-        any = true;
-      else
-        return any;
-    }
-  }
-
-  bool change_singles(Cross_field& field)
-  {
-    std::vector<std::pair<double, Change> > moves;
-    for(int i = 0; i < static_cast<int>(m_candidates.size()); ++i)
-      for(int by : { -1, 1 })
-      {
-        const Change a = { i, by };
-        const double gain = -single_change(a);
-        if(gain > smallest_gain)
-          moves.emplace_back(gain, a);
-      }
-    sort_moves(moves);
-    bool any = false;
-    for(const auto& move : moves)
-    {
-      if(single_change(move.second) < -smallest_gain)
-      {
+      const int i = m_queue.front();
+      m_is_queued[i] = 0;
+      if(steps == 0)
+        continue;
+      const Move move = best_move(i);
+      if(move.first.candidate == -1)
+        continue;
+      --steps;
+      total += move.change;
+      apply(move.first, field);
+      if(move.second.candidate != -1)
         apply(move.second, field);
-        any = true;
-      }
+      enqueue(i);
     }
-    return any;
+    return total;
   }
 
-  bool change_pairs(Cross_field& field)
+  Move best_move(int i)
   {
-    typedef std::pair<Change, Change> Pair;
-    std::vector<std::pair<double, std::pair<Pair, double> > > moves;
-    for(int i = 0; i < static_cast<int>(m_candidates.size()); ++i)
-      for(const auto& other : m_candidates[i].others)
-      {
-        if(other.first < i)
-          continue;
-        for(int bi : { -1, 1 })
-          for(int bj : { -1, 1 })
-          {
-            const Pair p = { { i, bi }, { other.first, bj } };
-            const double gain = -pair_change(p, other.second);
-            if(gain > smallest_gain)
-              moves.emplace_back(gain, std::make_pair(p, other.second));
-          }
-      }
-    sort_moves(moves);
-    bool any = false;
-    for(const auto& move : moves)
+    const double coupling = 2 * quarter_turn * quarter_turn;
+
+    Move best;
+    best.change = -smallest_gain;
+    const Jump_candidates::Candidate& c = m_candidates[i];
+    const bool is_costly = m_quads->is_costly(c.edge);
+    for(int by : { -1, 1 })
     {
-      const Pair& p = move.second.first;
-      if(pair_change(p, move.second.second) < -smallest_gain)
+      const double alone = m_candidates.energy_change(i, by);
+      if(alone < best.change || is_costly)
       {
-        apply(p.first, field);
-        apply(p.second, field);
-        any = true;
+        const double change = alone + m_quads->cost_change(c.edge, by);
+        if(change < best.change)
+        {
+          best.first = { i, by };
+          best.second = Change();
+          best.change = change;
+        }
+      }
+      for(int k = 0; k < c.strong; ++k)
+      {
+        const std::pair<int, double>& other = c.others[k];
+        const int j = other.first;
+        const Jump_candidates::Candidate& d = m_candidates[j];
+        const bool may_pay = is_costly || m_quads->is_costly(d.edge);
+        // If the second change does not gain alone, only what couples both can pay for the first.
+        if(coupling * std::abs(other.second) < alone && !may_pay)
+          continue;
+        const double both = alone + quarter_turn * quarter_turn * d.self;
+        const double slope = 2 * quarter_turn * (d.residual + quarter_turn * by * other.second);
+        const int by2 = slope > 0 ? -1 : 1; // the better one
+        const double energy = both + slope * by2;
+        if(energy >= best.change && !may_pay)
+          continue;
+        for(int b : { by2, -by2 })
+        {
+          const double change = both + slope * b + m_quads->cost_change(c.edge, by, d.edge, b);
+          if(change < best.change)
+          {
+            best.first = { i, by };
+            best.second = { j, b };
+            best.change = change;
+          }
+          if(!may_pay)
+            break;
+        }
       }
     }
-    return any;
+    return best;
   }
 
-  // Where nothing costs yet, only the energy can gain.
-  double single_change(const Change& a)
+  // The path that annihilates the singularity of a sector and the one that is nearest, second nearest ... of the
+  // opposite ones; empty if there is none within reach.
+  Path path_to_opposite(int from, int partner)
   {
-    const int e = m_candidates[a.candidate].edge;
-    if(m_candidates[a.candidate].changed)
-      return 0;
-    const double change = energy_change(a);
-    return (change < 0 || m_quads->is_costly(e)) ? change + m_quads->cost_change(e, a.by) : change;
+    const std::size_t most_sectors = 10000; // that are searched
+
+    const Indexed_triangle_mesh& m = m_problem.mesh;
+    const Field_sectors& sectors = m_problem.sectors;
+    const Sector_quads::State& quads = m_quads->state();
+    if(quads[from] == 4 || !sectors.closed[from])
+      return Path();
+    const int gain = quads[from] < 4 ? 1 : -1; // of quads there
+    ++m_visit;
+    m_visited.resize(sectors.number_of_sectors(), 0);
+    m_via.resize(sectors.number_of_sectors(), -1);
+    m_visited[from] = m_visit;
+    std::vector<int> queue(1, from);
+    for(std::size_t next = 0; next < (std::min)(queue.size(), most_sectors); ++next)
+    {
+      const int s = queue[next];
+      if((quads[s] - 4) * gain > 0 && partner-- == 0)
+      {
+        Path path;
+        for(int t = s; t != from; t = sectors.of_corner[m_via[t]])
+        {
+          // A quad moves to the source of the halfedge, or away.
+          const int e = m.edge_of[m_via[t]];
+          path.emplace_back(e, m.halfedge_of_edge[e] == m_via[t] ? -gain : gain);
+        }
+        return path;
+      }
+      const int first = sectors.first_corner[s];
+      int h = first;
+      do
+      {
+        const int t = sectors.of_corner[m.next(h)];
+        if(sectors.closed[t] && m_visited[t] != m_visit)
+        {
+          m_visited[t] = m_visit;
+          m_via[t] = h;
+          queue.push_back(t);
+        }
+        h = m.next_around_source(h);
+      }
+      while(h != first);
+    }
+    return Path();
   }
 
-  double pair_change(const std::pair<Change, Change>& p, double entry)
+  // Annihilates the singularities at the ends of a path, and keeps what follows if it ends lower.
+  template <typename Go_further>
+  void try_path(const Path& path, Cross_field& field, const Go_further& go_further)
   {
-    const int e = m_candidates[p.first.candidate].edge, e2 = m_candidates[p.second.candidate].edge;
-    if(m_candidates[p.first.candidate].changed || m_candidates[p.second.candidate].changed)
-      return 0;
-    const double change = energy_change(p.first) + energy_change(p.second)
-                        + 2 * quarter_turn * quarter_turn * entry * p.first.by * p.second.by;
-    return (change < 0 || m_quads->is_costly(e) || m_quads->is_costly(e2))
-         ? change + m_quads->cost_change(e, p.first.by, e2, p.second.by) : change;
-  }
+    // A change of a residual that may make a move gain, and an increase of the energy that the search with all angles and candidates
+    // computed anew may still make up for.
+    const double noticeable = 0.01, hopeful = 0.3;
 
-  // Largest gain first, ties in the order of the candidates.
-  template <typename Move>
-  static void sort_moves(std::vector<std::pair<double, Move> >& moves)
-  {
-    std::stable_sort(moves.begin(), moves.end(),
-                     [](const std::pair<double, Move>& a, const std::pair<double, Move>& b) { return a.first > b.first; });
+    const std::vector<double> residuals = m_candidates.residuals();
+    m_log.clear();
+    double change = m_candidates.change_path(path, field) - m_quads->cost();
+    for(const std::pair<int, int>& step : path)
+      change_jump(step.first, step.second, field);
+    change += m_quads->cost();
+    for(int i = 0; i < m_candidates.size(); ++i)
+      if(std::abs(m_candidates[i].residual - residuals[i]) > noticeable)
+        enqueue(i);
+    change += descend(field);
+    if(change < hopeful)
+      return settle(field, go_further);
+
+    for(std::size_t k = m_log.size(); k-- > 0;)
+      change_jump(m_candidates[m_log[k].candidate].edge, -m_log[k].by, field);
+    for(const std::pair<int, int>& step : path)
+      change_jump(step.first, -step.second, field);
+    m_candidates.set_residuals(residuals);
   }
 
   void apply(const Change& a, Cross_field& field)
   {
-    Candidate& c = m_candidates[a.candidate];
-    c.changed = true;
-    field.period_jump[c.edge] += a.by;
-    m_quads->change_jump(c.edge, a.by);
-    c.residual += quarter_turn * a.by * c.self;
-    for(const auto& other : c.others)
-      m_candidates[other.first].residual += quarter_turn * a.by * other.second;
+    const Jump_candidates::Candidate& c = m_candidates[a.candidate];
+    change_jump(c.edge, a.by, field);
+    m_candidates.change_jump(a.candidate, a.by);
+    m_log.push_back(a);
+    for(int k = 0; k < c.strong; ++k)
+      enqueue(c.others[k].first);
+  }
+
+  void change_jump(int e, int by, Cross_field& field)
+  {
+    field.period_jump[e] += by;
+    m_quads->change_jump(e, by);
   }
 
   const Field_problem& m_problem;
   Dual_laplacian& m_laplacian;
-  Sector_quads* m_quads = nullptr;          // of the running call
-  std::vector<Candidate> m_candidates;
-  std::vector<Sparse_vector> m_half_column; // per candidate
-  std::vector<int> m_candidate_of_edge;
-  std::vector<int> m_mark;                  // per face: the last candidate that visited it
-  std::vector<double> m_dense;              // zero between uses
+  Jump_candidates m_candidates;
+
+  // Of the running call: the quads, the best field with exact angles, and its energy plus the cost of its sectors.
+  Sector_quads* m_quads = nullptr;
+  Cross_field m_saved;
+  Sector_quads::State m_saved_quads;
+  double m_total = 0;
+
+  std::vector<Change> m_log;          // of this round
+  std::deque<int> m_queue;            // candidates to be looked at
+  std::vector<char> m_is_queued;      // per candidate
+
+  // Per sector, of the breadth-first searches: the last one that came, and the halfedge by which it came.
+  std::vector<int> m_visited, m_via;
+  int m_visit = 0;
 };
 
 } // namespace internal

@@ -30,21 +30,32 @@ class Sector_quads
 public:
   typedef std::vector<int> State;
 
-  // `singularity_cost` is, per vertex, what a singularity there costs in units of the energy.
-  Sector_quads(const Field_problem& problem, const Cross_field& field, const std::vector<double>& singularity_cost)
-    : m_problem(problem)
-    , m_quads(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
-                               [&](int e) { return problem.residual(e, field); }))
+  // In units of the energy, `singularity_cost` is, per vertex, what a singularity there costs, and `doublet_cost` what every quad
+  // less than three costs at a vertex without aligned edges.
+  Sector_quads(const Field_problem& problem, const Cross_field& field, const std::vector<double>& singularity_cost,
+               double doublet_cost)
+    : m_problem(&problem)
     , m_singularity_cost(singularity_cost)
-  {}
+    , m_doublet_cost(doublet_cost)
+    , m_may_cost(doublet_cost > 0 || std::any_of(singularity_cost.begin(), singularity_cost.end(), [](double c) { return c > 0; }))
+  {
+    set_state(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
+                               [&](int e) { return problem.residual(e, field); }));
+  }
 
   const State& state() const { return m_quads; }
-  void set_state(const State& s) { m_quads = s; }
+  void set_state(const State& s)
+  {
+    m_quads = s;
+    m_costs.resize(s.size());
+    for(std::size_t i = 0; i < s.size(); ++i)
+      m_costs[i] = cost_of(static_cast<int>(i), s[i]) > 0;
+  }
 
   double cost() const
   {
     double sum = 0;
-    for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
+    for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
       sum += cost_of(s, m_quads[s]);
     return sum;
   }
@@ -52,13 +63,13 @@ public:
   // Whether one of the sectors next to edge e costs anything now.
   bool is_costly(int e) const
   {
-    return cost_of(giver(e), m_quads[giver(e)]) > 0 || cost_of(taker(e), m_quads[taker(e)]) > 0;
+    return m_may_cost && (m_costs[giver(e)] || m_costs[taker(e)]);
   }
 
   void change_jump(int e, int by)
   {
-    m_quads[giver(e)] -= by;
-    m_quads[taker(e)] += by;
+    change(giver(e), -by);
+    change(taker(e), by);
   }
 
   // The change of the cost if a jump is changed; infinite if that empties a sector.
@@ -78,7 +89,7 @@ public:
   int number_of_empty_sectors() const
   {
     int n = 0;
-    for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
+    for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
       n += is_empty(s, m_quads[s]);
     return n;
   }
@@ -88,33 +99,36 @@ public:
   // finds better places. Sectors of one face that no jump can reach stay empty.
   void fill_empty_sectors(Cross_field& field)
   {
-    for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
+    for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
       while(is_empty(s, m_quads[s]) && fetch_quad(s, field))
       {}
   }
 
 private:
-  // A vertex with two quads folds them onto each other: more than any singularity is worth.
-  static constexpr double doublet_cost = 2.;
+  void change(int s, int by)
+  {
+    m_quads[s] += by;
+    m_costs[s] = cost_of(s, m_quads[s]) > 0;
+  }
 
   bool is_empty(int s, int k) const
   {
-    return (m_problem.sectors.bounded[s] || m_problem.sectors.closed[s]) && k < 1;
+    return (m_problem->sectors.bounded[s] || m_problem->sectors.closed[s]) && k < 1;
   }
 
   double cost_of(int s, int k) const
   {
-    if(!m_problem.sectors.closed[s] || k == 4)
+    if(!m_problem->sectors.closed[s] || k == 4)
       return 0;
-    return m_singularity_cost[m_problem.sectors.vertex[s]] + (k < 3 ? doublet_cost * (3 - k) : 0);
+    return m_singularity_cost[m_problem->sectors.vertex[s]] + (k < 3 ? m_doublet_cost * (3 - k) : 0);
   }
 
   // A change of the jump of e by one takes a quad here ...
-  int giver(int e) const { return m_problem.sectors.of_corner[m_problem.mesh.halfedge_of_edge[e]]; }
+  int giver(int e) const { return m_problem->sectors.of_corner[m_problem->mesh.halfedge_of_edge[e]]; }
   // ... and brings it there.
   int taker(int e) const
   {
-    return m_problem.sectors.of_corner[Indexed_triangle_mesh::next(m_problem.mesh.halfedge_of_edge[e])];
+    return m_problem->sectors.of_corner[Indexed_triangle_mesh::next(m_problem->mesh.halfedge_of_edge[e])];
   }
 
   template <typename Do, typename Undo>
@@ -142,14 +156,14 @@ private:
   bool fetch_quad(int receiver, Cross_field& field)
   {
     typedef std::pair<double, int> Entry;
-    const Indexed_triangle_mesh& m = m_problem.mesh;
+    const Indexed_triangle_mesh& m = m_problem->mesh;
     // The self-energy of a jump, see Jump_polish; keeps the lengths of all steps positive.
     const double self_energy = quarter_turn * quarter_turn / 3;
     const double shortest_step = 0.01;
 
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-    std::vector<int> from_halfedge(m_problem.sectors.number_of_sectors(), -1);
-    std::vector<double> distance(m_problem.sectors.number_of_sectors(), std::numeric_limits<double>::infinity());
+    std::vector<int> from_halfedge(m_problem->sectors.number_of_sectors(), -1);
+    std::vector<double> distance(m_problem->sectors.number_of_sectors(), std::numeric_limits<double>::infinity());
     distance[receiver] = 0;
     queue.push(Entry(0., receiver));
     while(!queue.empty())
@@ -161,7 +175,7 @@ private:
         continue;
       if(s != receiver && !is_empty(s, m_quads[s] - 1))
       {
-        for(int t = s; t != receiver; t = m_problem.sectors.of_corner[from_halfedge[t]])
+        for(int t = s; t != receiver; t = m_problem->sectors.of_corner[from_halfedge[t]])
         {
           // The halfedge leaves the sector that receives.
           const int e = m.edge_of[from_halfedge[t]];
@@ -171,15 +185,15 @@ private:
         }
         return true;
       }
-      const int first = m_problem.sectors.first_corner[s];
-      for(int h = first; h != -1 && m_problem.sectors.of_corner[h] == s;)
+      const int first = m_problem->sectors.first_corner[s];
+      for(int h = first; h != -1 && m_problem->sectors.of_corner[h] == s;)
       {
         const int e = m.edge_of[h];
-        if(m_problem.is_movable(e))
+        if(m_problem->is_movable(e))
         {
           const int by = m.halfedge_of_edge[e] == h ? -1 : 1;
-          const int t = m_problem.sectors.of_corner[m.next(h)];
-          const double step = (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem.residual(e, field));
+          const int t = m_problem->sectors.of_corner[m.next(h)];
+          const double step = (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem->residual(e, field));
           if(top.first + step < distance[t])
           {
             distance[t] = top.first + step;
@@ -195,9 +209,12 @@ private:
     return false;
   }
 
-  const Field_problem& m_problem;
+  const Field_problem* m_problem;
   State m_quads;
+  std::vector<char> m_costs; // per sector: whether it costs anything now
   std::vector<double> m_singularity_cost;
+  double m_doublet_cost;
+  bool m_may_cost;
 };
 
 } // namespace internal

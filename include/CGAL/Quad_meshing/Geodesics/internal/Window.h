@@ -29,12 +29,11 @@ struct Window_tolerances
   static FT place() { static const FT t(tolerance_of_digits<FT>(11)); return t; }
 
   // A gap between a window and its neighbour on the edge (or a vertex) is closed if its width, measured
-  // across the rays, is up to the first part of the edge or the second part of the distance to the source:
-  // it comes from rounding or from a saddle so shallow that it counts as flat. The distance changes by
-  // the square of it. Rays that graze the edge make the gap wider along the edge; it never may exceed
-  // `wide_gap`: 1e-9, 1e-12, 1e-4.
-  static FT gap() { static const FT t(tolerance_of_digits<FT>(9)); return t; }
-  static FT far_gap() { static const FT t(tolerance_of_digits<FT>(12)); return t; }
+  // across the rays, is up to this part of the edge or of the distance to the source: then it comes from
+  // rounding. Rays that graze the edge make the gap wider along the edge; it never may exceed `wide_gap`: 1e-12, 1e-4.
+  // A wider gap is the shadow of a saddle, however shallow, and must stay open for the window that comes from there: it grows
+  // on the way.
+  static FT gap() { static const FT t(tolerance_of_digits<FT>(12)); return t; }
   static FT wide_gap() { static const FT t(tolerance_of_digits<FT>(4)); return t; }
 
   // Two distances that differ by less are equal, and the window that was there first stays: 1e-14.
@@ -52,8 +51,7 @@ template <>
 struct Window_tolerances<double>
 {
   static constexpr double place() { return 1e-11; }
-  static constexpr double gap() { return 1e-9; }
-  static constexpr double far_gap() { return 1e-12; }
+  static constexpr double gap() { return 1e-12; }
   static constexpr double wide_gap() { return 1e-4; }
   static constexpr double tie() { return 1e-14; }
   static constexpr double source() { return 1e-13; }
@@ -116,7 +114,7 @@ struct Window
     if(linear)
       return width * y <= FT(Tol::gap()) * length;
     const FT r = absolute(b - x) + y;
-    return width * y <= r * (FT(Tol::gap()) * length + FT(Tol::far_gap()) * r);
+    return width * y <= r * FT(Tol::gap()) * (length + r);
   }
 
   // The smallest distance between b0 and b1.
@@ -190,8 +188,9 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
     const FT pv = v.x - l, pw = w.x - l, d = w.sigma - v.sigma;
     const FT g = FT(2) * (pw - pv);
     const FT h = (pv - pw) * (pv + pw) + (v.y - w.y) * (v.y + w.y) - d * d;
-    if(d == FT(0))
+    if(absolute(d) <= FT(Window_tolerances<FT>::tie()) * (absolute(v.sigma) + absolute(w.sigma)))
     {
+      // the equation would be the square of this one, up to rounding
       if(g == FT(0))
         return 0;
       z[0] = -h / g;

@@ -15,6 +15,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -267,7 +268,7 @@ private:
       n = equal_distance_places(w, old, l, width, z);
       if(n == 0 && at_l * at_r == -1)
       {
-        z[0] = width / FT(2);
+        z[0] = change_of_sign(w, old, l, r, at_l) - l;
         n = 1;
       }
       for(int c = 0; c < n; ++c)
@@ -290,6 +291,17 @@ private:
       any = any || nearer == -1;
     }
     return any;
+  }
+
+  // A place between l and r at which the difference of the distances changes its sign, which is `at_l` at l.
+  static FT change_of_sign(const W& w, const W& old, FT l, FT r, int at_l)
+  {
+    for(int i = 0; i < std::numeric_limits<FT>::digits; ++i)
+    {
+      const FT t = (l + r) / FT(2);
+      ((w.distance(t) < old.distance(t)) == (at_l < 0) ? l : r) = t;
+    }
+    return l;
   }
 
   // The quadratic equation loses digits that one Newton step on the distances themselves gives back.

@@ -10,13 +10,17 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_BOUNDED_PROBLEM_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_row.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Dual_active_set.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +41,51 @@ struct Bounded_problem
 
   int size() const { return static_cast<int>(kept.size()); }
 };
+
+// The inequalities of a problem and bounds that may be tighter than its own. Returns false if a lower bound exceeds an upper one.
+inline bool make_constraints(const Bounded_problem& problem, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                             std::vector<Dual_active_set::Constraint>& constraints)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const int n = problem.size();
+  for(int i = 0; i < n; ++i)
+  {
+    if(lower[i] > upper[i])
+      return false;
+    if(lower[i] > -infinity)
+      constraints.push_back(Dual_active_set::Constraint{ Eigen::VectorXd::Unit(n, i), lower[i] });
+    if(upper[i] < infinity)
+      constraints.push_back(Dual_active_set::Constraint{ -Eigen::VectorXd::Unit(n, i), -upper[i] });
+  }
+  for(int r = 0; r < problem.G.rows(); ++r)
+    constraints.push_back(Dual_active_set::Constraint{ -problem.G.row(r).transpose(), -problem.h[r] });
+  return true;
+}
+
+// A row over integers whose coefficients are multiples of integers: divided by their greatest common divisor, its right-hand side may be
+// rounded down.
+inline void tighten(const std::vector<char>& is_integer, Eigen::VectorXd& row, double& rhs)
+{
+  const double tolerance = 1e-9; // relative to one and to the right-hand side
+  Mixed_integer_problem::Linear_form form;
+  for(int i = 0; i < row.size(); ++i)
+    if(row[i] != 0.)
+    {
+      if(!is_integer[i])
+        return;
+      form.emplace_back(i, row[i]);
+    }
+  const double factor = integral_factor(form);
+  if(!(factor > 0.))
+    return;
+  long long divisor = 0;
+  for(const std::pair<int, double>& a : form)
+    divisor = std::gcd(divisor, std::llround(a.second * factor));
+  for(const std::pair<int, double>& a : form)
+    row[a.first] = static_cast<double>(std::llround(a.second * factor) / divisor);
+  const double value = rhs * factor / static_cast<double>(divisor);
+  rhs = std::floor(value + tolerance * (std::max)(1., std::fabs(value)));
+}
 
 inline Bounded_problem make_bounded_problem(const Mixed_integer_problem& problem,
                                             const Eliminated_constraints& constraints)
@@ -73,6 +122,7 @@ inline Bounded_problem make_bounded_problem(const Mixed_integer_problem& problem
     {
       rows.push_back(row);
       rhs.push_back(value);
+      tighten(constraints.is_integer, rows.back(), rhs.back());
     }
   };
   const auto substitute = [&](const Mixed_integer_problem::Linear_form& form, double& value)
@@ -86,6 +136,12 @@ inline Bounded_problem make_bounded_problem(const Mixed_integer_problem& problem
     }
     return row;
   };
+  for(int v = 0; v < problem.number_of_variables(); ++v)
+    if(problem.lower_bound(v) == infinity || problem.upper_bound(v) == -infinity)
+    {
+      result.is_infeasible = true;
+      return result;
+    }
   for(const Mixed_integer_problem::Linear_constraint& c : problem.inequality_constraints())
   {
     double value = c.rhs;

@@ -41,6 +41,16 @@ struct Search_result
   double lower_bound = -std::numeric_limits<double>::infinity();
   double nodes = 0.;
   int cuts = 0;
+
+  // Takes a solution if it is the best so far.
+  void accept(const Eigen::VectorXd& solution, double its_energy)
+  {
+    if(is_found && its_energy >= energy)
+      return;
+    is_found = true;
+    y = solution;
+    energy = its_energy;
+  }
 };
 
 // The choice of a branching variable by the change of the bound that branchings on it brought so far (thesis 4.1,
@@ -136,7 +146,7 @@ public:
   {
     m_result = Search_result();
     if(incumbent.size() > 0)
-      accept(incumbent, incumbent_energy);
+      m_result.accept(incumbent, incumbent_energy);
     if(m_problem.is_infeasible)
     {
       m_result.is_complete = true;
@@ -205,32 +215,12 @@ private:
     return m_bounds.empty() ? std::numeric_limits<double>::infinity() : *m_bounds.begin();
   }
 
-  void accept(const Eigen::VectorXd& y, double energy)
-  {
-    if(m_result.is_found && energy >= m_result.energy)
-      return;
-    m_result.is_found = true;
-    m_result.y = y;
-    m_result.energy = energy;
-  }
-
   // Solves the relaxation of a subproblem.
   bool relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& y, double& energy)
   {
-    const double infinity = std::numeric_limits<double>::infinity();
     std::vector<Dual_active_set::Constraint> constraints;
-    const int n = m_problem.size();
-    for(int i = 0; i < n; ++i)
-    {
-      if(lower[i] > upper[i])
-        return false;
-      if(lower[i] > -infinity)
-        constraints.push_back(Dual_active_set::Constraint{ Eigen::VectorXd::Unit(n, i), lower[i] });
-      if(upper[i] < infinity)
-        constraints.push_back(Dual_active_set::Constraint{ -Eigen::VectorXd::Unit(n, i), -upper[i] });
-    }
-    for(int r = 0; r < m_problem.G.rows(); ++r)
-      constraints.push_back(Dual_active_set::Constraint{ -m_problem.G.row(r).transpose(), -m_problem.h[r] });
+    if(!make_constraints(m_problem, lower, upper, constraints))
+      return false;
     double cost;
     const bool is_feasible = m_quadratic.solve(constraints, y, cost);
     energy = m_constant + cost;
@@ -295,7 +285,7 @@ private:
     for(int i = 0; i < m_problem.size(); ++i)
       if(m_problem.is_integer[i])
         y[i] = lower[i];
-    accept(y, energy);
+    m_result.accept(y, energy);
     m_fathomed_bound = (std::min)(m_fathomed_bound, node.energy);
   }
 

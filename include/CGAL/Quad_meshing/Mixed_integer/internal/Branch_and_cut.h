@@ -86,7 +86,7 @@ private:
     m_fathomed_bound = std::numeric_limits<double>::infinity();
     m_is_linear = is_linear;
     if(incumbent.size() > 0)
-      accept(incumbent, incumbent_energy);
+      m_result.accept(incumbent, incumbent_energy);
     evaluate(std::make_shared<Node>(Node{ program, m_master.problem().lower, m_master.problem().upper,
                                           -std::numeric_limits<double>::infinity(), 0, Eigen::VectorXd() }));
     bool is_stopped = false;
@@ -120,15 +120,6 @@ private:
                                       * (std::fabs(m_result.energy) + epsilon);
   }
 
-  void accept(const Eigen::VectorXd& y, double energy)
-  {
-    if(m_result.is_found && energy >= m_result.energy)
-      return;
-    m_result.is_found = true;
-    m_result.y = y;
-    m_result.energy = energy;
-  }
-
   int variable_of(const Eigen::VectorXd& y) const
   {
     return branching_variable(y, m_master.problem().is_integer, integer_tolerance(), m_options.branching_rule,
@@ -150,7 +141,7 @@ private:
     Eigen::VectorXd polished = y;
     double energy = bound;
     if(m_is_linear || m_master.polish(y, polished, energy))
-      accept(polished, energy);
+      m_result.accept(polished, energy);
     m_fathomed_bound = (std::min)(m_fathomed_bound, bound);
   }
 

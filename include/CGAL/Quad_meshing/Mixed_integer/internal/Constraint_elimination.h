@@ -10,9 +10,9 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_CONSTRAINT_ELIMINATION_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_row.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Elimination_number.h>
-
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +24,6 @@
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
-
-// All points that meet the equality constraints: x = T z + t with free variables z.
-struct Eliminated_constraints
-{
-  Eigen::SparseMatrix<double> T;
-  Eigen::VectorXd t;
-  std::vector<char> is_integer; // per free variable
-  std::vector<int> redundant, conflicting;
-  bool is_identity = true; // T is the identity and t is zero
-};
 
 // Eliminates equality constraints one by one (thesis 5.1.2), the one with the fewest coefficients first.
 //
@@ -56,23 +46,8 @@ class Constraint_elimination
   typedef Elimination_number<NT> Number;
   typedef std::pair<int, NT> Entry;
 
-  struct Row
-  {
-    std::vector<Entry> entries; // ascending variables
-    NT rhs;
-    NT scale;           // the row is the original one, modulo others, times this
-    double tolerance;   // for the right-hand side, in units of the original row
-    bool is_integral;
-    bool is_open;
-  };
-
-  // x_variable = (rhs - sum of the other entries) / pivot
-  struct Step
-  {
-    int variable;
-    std::vector<Entry> others;
-    NT pivot, rhs;
-  };
+  typedef Constraint_row<NT> Row;
+  typedef Elimination_step<NT> Step;
 
 public:
   Constraint_elimination(const Mixed_integer_problem& problem, double tolerance)
@@ -82,7 +57,14 @@ public:
       m_is_integer.push_back(problem.is_integer(i));
     m_columns.resize(m_size);
     for(const Mixed_integer_problem::Linear_constraint& c : problem.equality_constraints())
-      add_row(c);
+    {
+      m_rows.emplace_back(c, tolerance);
+      for(const Entry& entry : m_rows.back().entries)
+      {
+        CGAL_precondition(entry.first >= 0 && entry.first < m_size);
+        m_columns[entry.first].insert(static_cast<int>(m_rows.size()) - 1);
+      }
+    }
   }
 
   // Returns false if integer coefficients outgrew the number type.
@@ -100,105 +82,10 @@ public:
       return false;
     std::sort(result.redundant.begin(), result.redundant.end());
     std::sort(result.conflicting.begin(), result.conflicting.end());
-    return substitute_back(result);
+    return substitute_back(m_steps, m_is_integer, m_size, result);
   }
 
 private:
-  void add_row(const Mixed_integer_problem::Linear_constraint& constraint)
-  {
-    std::vector<std::pair<int, double> > form = constraint.form;
-    std::sort(form.begin(), form.end(),
-              [](const std::pair<int, double>& a, const std::pair<int, double>& b) { return a.first < b.first; });
-    std::vector<std::pair<int, double> > sum;
-    for(const std::pair<int, double>& a : form)
-    {
-      CGAL_precondition(a.first >= 0 && a.first < m_size);
-      if(!sum.empty() && sum.back().first == a.first)
-        sum.back().second += a.second;
-      else
-        sum.push_back(a);
-    }
-
-    double largest = 0.;
-    for(const std::pair<int, double>& a : sum)
-      largest = (std::max)(largest, std::fabs(a.second));
-    const double factor = integral_factor(sum);
-
-    Row row;
-    row.is_integral = factor > 0.;
-    row.is_open = true;
-    // Rows of reals are brought to a largest coefficient of one, to have a meaning for tolerances.
-    const double scale = row.is_integral ? factor : (largest > 0. ? 1. / largest : 1.);
-    row.scale = NT(scale);
-    row.rhs = NT(constraint.rhs) * NT(scale);
-    row.tolerance = m_tolerance * (std::max)({1., largest, std::fabs(constraint.rhs)});
-    const int r = static_cast<int>(m_rows.size());
-    for(const std::pair<int, double>& a : sum)
-    {
-      if(a.second == 0.)
-        continue;
-      NT value = NT(a.second) * NT(scale);
-      if(row.is_integral)
-        value = Number::nearest_integer(value);
-      row.entries.emplace_back(a.first, value);
-      m_columns[a.first].insert(r);
-    }
-    m_rows.push_back(row);
-    if(row.is_integral)
-      divide_by_gcd(m_rows.back());
-  }
-
-  // Returns a factor that makes all coefficients integers of moderate size, 0 if none was found.
-  static double integral_factor(const std::vector<std::pair<int, double> >& form)
-  {
-    const double relative_error = 1e-12;
-    const int max_denominator = 1000;
-    double smallest = 0., largest = 0.;
-    for(const std::pair<int, double>& a : form)
-      if(a.second != 0.)
-      {
-        smallest = (smallest == 0.) ? std::fabs(a.second) : (std::min)(smallest, std::fabs(a.second));
-        largest = (std::max)(largest, std::fabs(a.second));
-      }
-    if(smallest == 0.)
-      return 1.;
-    // Powers of two first: they scale without rounding.
-    for(double factor = 1.; factor <= 1048576.; factor *= 2.)
-    {
-      bool ok = largest * factor < 1e6;
-      for(const std::pair<int, double>& a : form)
-        ok = ok && std::floor(a.second * factor) == a.second * factor;
-      if(ok)
-        return factor;
-    }
-    for(int d = 1; d <= max_denominator; ++d)
-    {
-      const double factor = d / smallest;
-      bool ok = largest * factor < 1e6;
-      for(const std::pair<int, double>& a : form)
-      {
-        const double v = a.second * factor;
-        ok = ok && std::fabs(v - std::floor(v + 0.5)) <= relative_error * (std::max)(1., std::fabs(v));
-      }
-      if(ok)
-        return factor;
-    }
-    return 0.;
-  }
-
-  void divide_by_gcd(Row& row)
-  {
-    NT g(0);
-    for(const Entry& e : row.entries)
-      g = Number::gcd(g, e.second);
-    if(Number::is_zero(g) || g == NT(1))
-      return;
-    for(Entry& e : row.entries)
-      e.second = e.second / g;
-    row.rhs = row.rhs / g;
-    row.scale = row.scale / g;
-  }
-
   bool has_real_variable(const Row& row) const
   {
     for(const Entry& e : row.entries)
@@ -242,7 +129,7 @@ private:
     if(has_real_variable(m_rows[r]))
       eliminate_by_row(r, real_pivot(m_rows[r]));
     else if(!m_rows[r].is_integral)
-      eliminate_by_row(r, largest_entry(m_rows[r]));
+      eliminate_by_row(r, m_rows[r].largest_entry());
     else
     {
       const NT rounded = Number::nearest_integer(m_rows[r].rhs);
@@ -292,15 +179,6 @@ private:
     return best;
   }
 
-  int largest_entry(const Row& row) const
-  {
-    int best = 0;
-    for(std::size_t i = 1; i < row.entries.size(); ++i)
-      if(Number::abs(row.entries[i].second) > Number::abs(row.entries[best].second))
-        best = static_cast<int>(i);
-    return best;
-  }
-
   int unit_pivot(const Row& row) const
   {
     int best = -1;
@@ -315,10 +193,7 @@ private:
   void reduce_by_smallest(int r)
   {
     const Row& row = m_rows[r];
-    std::size_t k = 0;
-    for(std::size_t i = 1; i < row.entries.size(); ++i)
-      if(Number::abs(row.entries[i].second) < Number::abs(row.entries[k].second))
-        k = i;
+    const std::size_t k = row.smallest_entry();
 
     const int fresh = static_cast<int>(m_is_integer.size());
     m_is_integer.push_back(1);
@@ -432,7 +307,7 @@ private:
     row.rhs = factor * row.rhs - multiple * step.rhs;
     row.scale = factor * row.scale;
     if(stays_integral)
-      divide_by_gcd(row);
+      row.divide_by_gcd();
     else
       drop_if_negligible(i);
     if(row.is_integral)
@@ -450,88 +325,6 @@ private:
     for(const Entry& e : row.entries)
       m_columns[e.first].erase(i);
     row.entries.clear();
-  }
-
-  // Expresses every variable by the free ones, last step first.
-  bool substitute_back(Eliminated_constraints& result)
-  {
-    const int total = static_cast<int>(m_is_integer.size());
-    std::vector<int> step_of(total, -1), column(total, -1);
-    for(std::size_t s = 0; s < m_steps.size(); ++s)
-      step_of[m_steps[s].variable] = static_cast<int>(s);
-    result.is_identity = m_steps.empty();
-    result.is_integer.clear();
-    for(int v = 0; v < total; ++v)
-      if(step_of[v] < 0)
-      {
-        column[v] = static_cast<int>(result.is_integer.size());
-        result.is_integer.push_back(m_is_integer[v]);
-      }
-    const int m = static_cast<int>(result.is_integer.size());
-
-    std::vector<std::vector<Entry> > expression(m_steps.size());
-    std::vector<NT> offset(m_steps.size(), NT(0));
-    std::vector<NT> accumulator(m, NT(0));
-    std::vector<char> is_touched(m, 0);
-    std::vector<int> touched;
-    for(int s = static_cast<int>(m_steps.size()) - 1; s >= 0; --s)
-    {
-      const Step& step = m_steps[s];
-      NT constant = step.rhs;
-      const auto add = [&](int c, const NT& a)
-      {
-        if(!is_touched[c])
-        {
-          is_touched[c] = 1;
-          touched.push_back(c);
-        }
-        accumulator[c] -= a;
-      };
-      for(const Entry& e : step.others)
-      {
-        const int t = step_of[e.first];
-        if(t < 0)
-        {
-          add(column[e.first], e.second);
-          continue;
-        }
-        constant -= e.second * offset[t];
-        for(const Entry& f : expression[t])
-          add(f.first, e.second * f.second);
-      }
-      offset[s] = constant / step.pivot;
-      std::sort(touched.begin(), touched.end());
-      for(int c : touched)
-      {
-        if(!Number::is_zero(accumulator[c]))
-        {
-          expression[s].emplace_back(c, accumulator[c] / step.pivot);
-          if(m_is_integer[step.variable] && !Number::is_safe(expression[s].back().second))
-            return false;
-        }
-        accumulator[c] = NT(0);
-        is_touched[c] = 0;
-      }
-      touched.clear();
-    }
-
-    std::vector<Eigen::Triplet<double> > triplets;
-    result.t = Eigen::VectorXd::Zero(m_size);
-    for(int v = 0; v < m_size; ++v)
-    {
-      const int s = step_of[v];
-      if(s < 0)
-      {
-        triplets.emplace_back(v, column[v], 1.);
-        continue;
-      }
-      result.t[v] = Number::to_double(offset[s]);
-      for(const Entry& e : expression[s])
-        triplets.emplace_back(v, e.first, Number::to_double(e.second));
-    }
-    result.T.resize(m_size, m);
-    result.T.setFromTriplets(triplets.begin(), triplets.end());
-    return true;
   }
 
   int m_size;

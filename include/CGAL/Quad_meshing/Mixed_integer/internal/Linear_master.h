@@ -139,20 +139,9 @@ public:
   // is no such point.
   bool relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& y, double& value) const
   {
-    const int n = m_problem.size();
-    const double infinity = std::numeric_limits<double>::infinity();
     std::vector<Dual_active_set::Constraint> constraints;
-    for(int i = 0; i < n; ++i)
-    {
-      if(lower[i] > upper[i])
-        return false;
-      if(lower[i] > -infinity)
-        constraints.push_back(Dual_active_set::Constraint{ Eigen::VectorXd::Unit(n, i), lower[i] });
-      if(upper[i] < infinity)
-        constraints.push_back(Dual_active_set::Constraint{ -Eigen::VectorXd::Unit(n, i), -upper[i] });
-    }
-    for(int r = 0; r < m_problem.G.rows(); ++r)
-      constraints.push_back(Dual_active_set::Constraint{ -m_problem.G.row(r).transpose(), -m_problem.h[r] });
+    if(!make_constraints(m_problem, lower, upper, constraints))
+      return false;
     Dual_active_set quadratic(m_inverse_factor, m_target);
     if(!quadratic.solve(constraints, y, value))
       return false;

@@ -79,15 +79,19 @@ private:
       for(Eigen::SparseMatrix<double>::InnerIterator it(m_A, j); it; ++it)
         if(!std::isfinite(it.value()))
           return false;
-    for(const Mixed_integer_problem::Linear_constraint& c : m_problem.equality_constraints())
-    {
-      if(!std::isfinite(c.rhs))
-        return false;
-      for(const std::pair<int, double>& a : c.form)
-        if(!std::isfinite(a.second))
+    for(const auto* constraints : { &m_problem.equality_constraints(), &m_problem.inequality_constraints() })
+      for(const Mixed_integer_problem::Linear_constraint& c : *constraints)
+      {
+        if(!std::isfinite(c.rhs))
           return false;
-    }
-    return m_b.allFinite();
+        for(const std::pair<int, double>& a : c.form)
+          if(!std::isfinite(a.second))
+            return false;
+      }
+    for(int i = 0; i < m_problem.number_of_variables(); ++i)
+      if(std::isnan(m_problem.lower_bound(i)) || std::isnan(m_problem.upper_bound(i)))
+        return false;
+    return m_b.allFinite() && std::isfinite(m_problem.constant());
   }
 
   Mixed_integer_solution fail(Mixed_integer_solution::Status status, const std::string& message)
@@ -120,10 +124,8 @@ private:
       return;
     }
     Integer_energy<LinearSolver> schur;
-    m_ran = compute(schur, m_reduced.integers);
-    if(!m_ran)
+    if(!keep_integers(schur))
       return;
-    m_solution.relaxed_energy = m_reduced.constant + schur.relaxed_energy();
     m_z = schur.complete(dense_greedy_rounding(schur.cholesky(), schur.target()));
     m_solution.dense_roundings = schur.size();
   }
@@ -137,6 +139,14 @@ private:
     const bool is_convex = schur.compute(m_reduced.A, m_reduced.b, is_kept);
     m_solution.factorizations += schur.number_of_factorizations();
     return is_convex;
+  }
+
+  bool keep_integers(Integer_energy<LinearSolver>& schur)
+  {
+    m_ran = compute(schur, m_reduced.integers);
+    if(m_ran)
+      m_solution.relaxed_energy = m_reduced.constant + schur.relaxed_energy();
+    return m_ran;
   }
 
   // Asks the visitor and the clock.
@@ -158,11 +168,8 @@ private:
       return;
     }
     Integer_energy<LinearSolver> schur;
-    m_ran = compute(schur, m_reduced.integers);
-    if(!m_ran)
+    if(!keep_integers(schur))
       return;
-    m_solution.relaxed_energy = m_reduced.constant + schur.relaxed_energy();
-
     const std::function<bool()> go_further = limits();
     const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
     Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes, go_further);
@@ -302,6 +309,8 @@ private:
     }
     if(!m_z.allFinite())
       return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "The linear system is numerically singular.");
+    if(is_unbounded())
+      return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
     expand();
 
     const double epsilon = 1e-10; // keeps the gap finite for zero energies
@@ -335,6 +344,20 @@ private:
       m_solution.message = "All conditions hold; the energy is not proven minimal.";
     }
     return m_solution;
+  }
+
+  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the singular matrix
+  // invertible then leaves a residual, and sends the solution far away.
+  bool is_unbounded()
+  {
+    const double far_away = 1e5, relative_residual = 1e-6;
+    if(m_problem.has_inequalities() || m_z.size() == 0 || !(m_z.cwiseAbs().maxCoeff() > far_away))
+      return false;
+    LinearSolver solver;
+    if(!factorize_with_shift(solver, m_reduced.A, m_solution.factorizations))
+      return false;
+    const Eigen::VectorXd residual = m_reduced.A * solver.solve(m_reduced.b) - m_reduced.b;
+    return residual.cwiseAbs().maxCoeff() > relative_residual * m_reduced.b.cwiseAbs().maxCoeff();
   }
 
   void expand()

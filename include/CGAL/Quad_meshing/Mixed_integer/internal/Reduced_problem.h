@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_REDUCED_PROBLEM_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_REDUCED_PROBLEM_H
 
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 
 #include <Eigen/SparseCore>
 

@@ -24,7 +24,8 @@ namespace internal {
 
 // A q-helix (thesis, section 10.2): on the directed dual line `line`, from position `start` on,
 // `length` dual edges for which walking `turn_length` steps ahead is the same as |pitch| steps to
-// the left (pitch > 0) or to the right (pitch < 0).
+// the left (pitch > 0) or to the right (pitch < 0). There is a consistent frame along a helix, so none of its turns
+// crosses itself.
 struct Helix_record
 {
   int line;
@@ -152,9 +153,35 @@ inline void keep_minimal_helices(std::vector<Helix_record>& helices, int line_le
   helices.swap(kept);
 }
 
-// All minimal q-helices, line by line. `relation` is the result of `side_relations()`.
+// Per position p of a line: the first position at which the line crosses a quad that it has crossed before, but not
+// before p. Positions go on behind the length of a closed line, which is walked twice.
+inline std::vector<int> first_self_crossings(const Indexed_quad_mesh& m, const Dual_lines& lines, int line)
+{
+  constexpr int never = (std::numeric_limits<int>::max)();
+  const int n = lines.length[line], rounds = lines.is_closed[line] ? 2 : 1;
+  std::vector<int> result(rounds * n, never);
+  for(int p = 0, h = lines.first[line]; p < n; ++p, h = m.forward(h))
+    for(int g : { m.next(h), m.prev(h) })
+      if(lines.line[g] == line)
+      {
+        const int other = lines.position[g];
+        if(other > p)
+          result[p] = other;
+        else if(rounds == 2)
+          result[p] = other + n;
+        if(rounds == 2)
+          result[p + n] = result[p] + n;
+      }
+  for(int p = rounds * n - 1; p-- > 0; )
+    result[p] = (std::min)(result[p], result[p + 1]);
+  return result;
+}
+
+// All minimal q-helices, line by line. `relation` is the result of `side_relations()`. No turn of a helix crosses
+// itself, unless `may_cross_itself`.
 inline std::vector<Helix_record>
-minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::vector<Side_relation>& relation)
+minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::vector<Side_relation>& relation,
+                bool may_cross_itself = false)
 {
   const int nh = m.number_of_halfedges();
   const std::vector<char> inner_regular = inner_regular_vertices(m);
@@ -181,9 +208,14 @@ minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::
       bad += bad_on_line[lines.line[q]];
     return bad == 0;
   };
+  std::vector<int> self_crossing;       // of the line that is searched
   auto is_helical = [&](int s)
   {
-    return relation[s].target != -1 && relation[s].sidesteps <= std::abs(relation[s].offset);
+    const Side_relation& r = relation[s];
+    if(r.target == -1 || r.sidesteps > std::abs(r.offset))
+      return false;
+    const int start = lines.position[r.offset > 0 ? s : r.target];
+    return may_cross_itself || self_crossing[start] > start + std::abs(r.offset);
   };
   // a dual edge and the one ahead belong to one helix
   auto is_linked = [&](int s, int t)
@@ -200,6 +232,8 @@ minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::
     const int n = lines.length[l];
     const bool closed = lines.is_closed[l];
     on_line.clear();
+    if(!may_cross_itself)
+      self_crossing = first_self_crossings(m, lines, l);
 
     // runs of linked dual edges begin where the link from behind is missing
     std::vector<int> edges(n);

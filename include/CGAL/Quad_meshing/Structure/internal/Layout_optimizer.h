@@ -55,7 +55,7 @@ public:
     if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
       return;
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
-    Layout_search search(m_input.mesh, *m_quantization, m_input.is_fixed);
+    Layout_search search(m_input.mesh, m_structure, *m_quantization, m_input.is_fixed);
     const double quads_per_irregular_vertex =
       m_merge_singularities ? Layout_search::quads_when_merging : Layout_search::quads_per_irregular_vertex;
     const int quads = static_cast<int>((std::min)(quads_per_irregular_vertex * m_structure.number_of_irregular_vertices,
@@ -68,7 +68,7 @@ public:
     }, go_further);
     m_layouts.push_back(m_quantization->length);
     int attempt = 0;
-    search.anneal(attempts, m_target_patches, [&]
+    search.anneal(attempts, m_target_patches, m_layouts, [&]
     {
       progress(double(++attempt) / attempts);
       return go_further();
@@ -76,8 +76,8 @@ public:
     m_layouts.push_back(m_quantization->length);
   }
 
-  // Puts the mesh with the next layout into `result`, the best one first, and then coarser ones before finer ones; false
-  // if there is none that is better than the input.
+  // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
+  // coarser ones before finer ones; false if there is none that is better than the input.
   bool next(State& result)
   {
     while(!m_layouts.empty())

@@ -37,6 +37,9 @@ class Layout_realization
   Arc_subdivision m_subdivision;
 
 public:
+  // Whether vertices get their positions, or all the same.
+  enum Kind { TOPOLOGY, GEOMETRY };
+
   Indexed_quad_mesh mesh;
   std::vector<int> origin;        // per vertex: the vertex of the input that it is, -1 if it is none
   std::vector<int> side_of_edge;  // per edge of the subdivision: a halfedge of the mesh, for one of those that are the same
@@ -44,8 +47,9 @@ public:
 
   // `length` must live as long as the object.
   Layout_realization(const Indexed_quad_mesh& input, const Layout_quantization& quantization,
-                     const std::vector<int>& length, const std::vector<char>& is_fixed)
-    : m(input), m_complex(quantization.complex()), m_length(length), m_subdivision(quantization.subdivision(length))
+                     const std::vector<int>& length, const std::vector<char>& is_fixed, Kind kind = GEOMETRY)
+    : m(input), m_complex(quantization.complex()), m_length(length), m_subdivision(quantization.subdivision(length)),
+      m_kind(kind)
   {
     place_wall_points(quantization, is_fixed);
     side_of_edge.assign(m_subdivision.number_of_edges(), -1);
@@ -114,7 +118,7 @@ private:
       const int w = is_fixed[v] ? 4 : rules.on_feature[v] || rules.on_border[v] ? 2 + rules.is_special[v] : is_irregular(m, v);
       add(static_cast<int>(i), w, m.points[v], v);
     }
-    for(std::size_t a = 0; a < m_length.size(); ++a)
+    for(std::size_t a = 0; a < m_length.size() && m_kind == GEOMETRY; ++a)
       for(int i = 1; i < m_length[a]; ++i)
         add(m_subdivision.point(static_cast<int>(a), i), m_complex.arcs[a].is_feature || m_complex.arcs[a].is_border ? 2 : 0,
             on_arc(static_cast<int>(a), double(i) * m_complex.arcs[a].length() / m_length[a]), -1);
@@ -124,7 +128,7 @@ private:
       if(m_subdivision.points.find(p) == p)
       {
         m_vertex_of_point[p] = mesh.number_of_vertices();
-        mesh.points.push_back(ORIGIN + sum[p] / number[p]);
+        mesh.points.push_back(number[p] > 0 ? ORIGIN + sum[p] / number[p] : Point_3(ORIGIN));
         origin.push_back(vertex[p]);
       }
     for(int p = 0; p < n; ++p)
@@ -179,8 +183,9 @@ private:
         {
           const double s = double(i) / w, t = double(j) / h;
           v = mesh.number_of_vertices();
-          mesh.points.push_back(inside(p, (1 - t) * place[0][i] + t * (p.width - place[2][w - i]),
-                                       (1 - s) * (p.height - place[3][h - j]) + s * place[1][j]));
+          mesh.points.push_back(m_kind == TOPOLOGY ? Point_3(ORIGIN)
+                                : inside(p, (1 - t) * place[0][i] + t * (p.width - place[2][w - i]),
+                                         (1 - s) * (p.height - place[3][h - j]) + s * place[1][j]));
           origin.push_back(-1);
         }
       }
@@ -251,6 +256,7 @@ private:
         v = number[v];
   }
 
+  Kind m_kind;
   std::vector<int> m_vertex_of_point;
 };
 

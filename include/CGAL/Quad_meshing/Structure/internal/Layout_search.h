@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
+#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 
 #include <CGAL/Random.h>
 
@@ -28,25 +29,61 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// What is to be small in a layout.
-struct Layout_figures
+// What is to be small in a layout: a sum of terms, those first that take the least time.
+class Layout_cost
 {
-  int patches = 0;
-  double helices = 0;           // when the curves are multiplied such that edges have the length of those of the input
-  double distortion = 0;
-  int quads = 0;                // when the curves are multiplied such that edges are no shorter than those of the input
+public:
+  // Weights against the number of patches, as a part of what there is at first: of the number of helices without and with
+  // crossings, as parts of those of the input, of the distortion, and of the part of the quads of the input that is
+  // missing when the curves are multiplied.
+  static constexpr double helix_weight = 8, crossing_weight = 0.5, distortion_weight = 1, missing_weight = 1.5;
+  // Numbers of helices below which one of them does not weigh more.
+  static constexpr int few_helices = 5;
+  // Part of the patches of the input above which more of them cost so much more.
+  static constexpr double most_patches = 0.3, excess_weight = 5;
 
-  Layout_figures(const Indexed_quad_mesh& input, const Layout_quantization& quantization, const std::vector<char>& is_fixed)
+  static constexpr double forbidden = (std::numeric_limits<double>::max)();
+
+  Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_quantization& quantization,
+              const std::vector<char>& is_fixed)
+    : m(input), m_structure(structure), m_quantization(quantization), m_is_fixed(is_fixed)
+  {}
+
+  int number_of_patches() const { return make_base_complex(realization().mesh).number_of_patches; }
+
+  // Measures by a first layout what is many; `largest_patches` must not be exceeded, unless it is 0.
+  void start(std::size_t largest_patches)
   {
-    const Layout_realization r(input, quantization, quantization.length, is_fixed);
-    const Layout_curves curves(quantization, quantization.length);
-    patches = make_base_complex(r.mesh).number_of_patches;
-    distortion = curves.distortion;
+    m_first_patches = number_of_patches();
+    m_largest_patches = largest_patches > 0 ? (std::max)(static_cast<int>(largest_patches), m_first_patches)
+                                            : (std::numeric_limits<int>::max)();
+    m_largest_quads = 2 * m_quantization.number_of_quads(m_quantization.length);
+  }
+
+  // The cost of the layout, or some number above `limit` if it is above that.
+  double operator()(double limit) const
+  {
+    if(m_quantization.number_of_quads(m_quantization.length) > m_largest_quads)
+      return forbidden;
+    const Layout_curves curves(m_quantization, m_quantization.length);
     std::vector<int> multiplicities;
     for(double l : curves.edge_length)
       multiplicities.push_back((std::max)(1, static_cast<int>(l)));
-    quads = quantization.number_of_quads(curves.lengths(multiplicities));
+    const double quads = m_quantization.number_of_quads(curves.lengths(multiplicities));
+    double cost = distortion_weight * curves.distortion + missing_weight * (std::max)(0., 1 - quads / m.number_of_faces());
+    if(cost > limit)
+      return cost;
 
+    const Layout_realization r = realization();
+    const int patches = make_base_complex(r.mesh).number_of_patches;
+    if(patches > m_largest_patches)
+      return forbidden;
+    cost += double(patches) / m_first_patches
+          + excess_weight * (std::max)(0., patches / (most_patches * m_structure.number_of_patches) - 1);
+    if(cost > limit)
+      return cost;
+
+    // a helix is as many as its curve when edges get the length of those of the input
     const Dual_lines lines(r.mesh);
     std::vector<double> multiplicity(lines.number_of_lines(), 1);
     for(std::size_t e = 0; e < curves.of_edge.size(); ++e)
@@ -55,9 +92,31 @@ struct Layout_figures
         const int l = lines.line[r.side_of_edge[e]];
         multiplicity[l] = multiplicity[lines.reverse[l]] = curves.edge_length[curves.of_edge[e]];
       }
-    for(const Helix_record& h : minimal_helices(r.mesh, lines, side_relations(r.mesh, lines)))
-      helices += multiplicity[h.line];
+    const std::vector<Side_relation> relation = side_relations(r.mesh, lines);
+    auto helices = [&](bool may_cross_itself)
+    {
+      double n = 0;
+      for(const Helix_record& h : minimal_helices(r.mesh, lines, relation, may_cross_itself))
+        n += multiplicity[h.line];
+      const std::size_t before = may_cross_itself ? m_structure.number_of_helices_with_crossings
+                                                  : m_structure.number_of_helices;
+      return n / (std::max)(few_helices, static_cast<int>(before));
+    };
+    cost += helix_weight * helices(false);
+    return cost > limit ? cost : cost + crossing_weight * helices(true);
   }
+
+private:
+  Layout_realization realization() const
+  {
+    return Layout_realization(m, m_quantization, m_quantization.length, m_is_fixed, Layout_realization::TOPOLOGY);
+  }
+
+  const Indexed_quad_mesh& m;
+  const Quad_mesh_structure& m_structure;     // of this mesh
+  const Layout_quantization& m_quantization;
+  const std::vector<char>& m_is_fixed;
+  int m_first_patches = 1, m_largest_patches = 0, m_largest_quads = 0;
 };
 
 // Looks for a coarse layout with few patches and few helices.
@@ -74,21 +133,20 @@ public:
   // may become one, and largest part of the quads of the input.
   static constexpr int quads_per_irregular_vertex = 20, quads_when_merging = 3;
   static constexpr double largest_part = 0.25;
-  // Factor between two scales, and the largest one.
+  // Factor between two scales, the largest one, and after how many at which nothing has become shorter no more are tried.
   static constexpr double scale_step = 1.05, largest_scale = 100;
+  static constexpr int futile_scales = 15;
   // A worse layout is taken with probability exp(-difference / temperature), the temperature falling from this to 0.
-  static constexpr double first_temperature = 0.03;
-  // Weights against the number of patches: of the number of helices, both as parts of what there is at first, of the
-  // distortion, and of the part of the quads of the input that is missing when the curves are multiplied.
-  static constexpr double helix_weight = 2, distortion_weight = 1, missing_weight = 0.5;
+  static constexpr double first_temperature = 0.1;
+  // How many layouts are kept for the case that the best one does not fit the shape.
+  static constexpr int largest_number_of_runners_up = 12;
   // Largest cost of an edge of the input on a path that is changed; it is varied to find different paths.
   static constexpr double largest_edge_cost = 0.2;
 
-  Layout_search(const Indexed_quad_mesh& mesh, Layout_quantization& quantization, const std::vector<char>& is_fixed)
-    : m(mesh), m_quantization(quantization), m_is_fixed(is_fixed)
+  Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, Layout_quantization& quantization,
+                const std::vector<char>& is_fixed)
+    : m_quantization(quantization), m_cost(mesh, structure, quantization, is_fixed)
   {}
-
-  Layout_figures figures() const { return Layout_figures(m, m_quantization, m_is_fixed); }
 
   // Shortens the arcs until there are at most so many patches, or with `patches` 0 so many quads. Calls
   // `record()` after each scale.
@@ -97,39 +155,31 @@ public:
   {
     auto is_coarse = [&]
     {
-      return patches > 0 ? std::size_t(figures().patches) <= patches
+      return patches > 0 ? std::size_t(m_cost.number_of_patches()) <= patches
                          : m_quantization.number_of_quads(m_quantization.length) <= quads;
     };
-    while(m_scale < largest_scale && !is_coarse() && go_further())
+    std::vector<int> before;
+    for(int futile = 0; futile < futile_scales && m_scale < largest_scale && !is_coarse() && go_further(); )
     {
+      before = m_quantization.length;
       m_scale *= scale_step;
       m_quantization.shorten(m_scale);
       record();
+      futile = m_quantization.length == before ? futile + 1 : 0;
     }
   }
 
-  // Tries so many layouts.
+  // Tries so many layouts; ends with the best one. `runners_up` gets what was the best one for a while, the best last.
   template <typename GoFurther>
-  void anneal(int attempts, std::size_t target_patches, const GoFurther& go_further)
+  void anneal(int attempts, std::size_t target_patches, std::vector<std::vector<int> >& runners_up,
+              const GoFurther& go_further)
   {
     std::vector<int>& length = m_quantization.length;
-    const Layout_figures first = figures();
-    if(length.empty() || first.patches == 0)
+    if(length.empty())
       return;
-    const int most_quads = 2 * m_quantization.number_of_quads(length);
-    auto cost = [&]
-    {
-      if(m_quantization.number_of_quads(length) > most_quads)
-        return (std::numeric_limits<double>::max)();
-      const Layout_figures f = figures();
-      if(target_patches > 0 && std::size_t(f.patches) > (std::max)(target_patches, std::size_t(first.patches)))
-        return (std::numeric_limits<double>::max)();
-      const double missing = (std::max)(0., 1 - double(f.quads) / m.number_of_faces());
-      return helix_weight * f.helices / (std::max)(1., first.helices) + double(f.patches) / first.patches
-           + distortion_weight * f.distortion + missing_weight * missing;
-    };
+    m_cost.start(target_patches);
     Random random(0);
-    double now = cost(), best = now;
+    double now = m_cost(Layout_cost::forbidden), best = now;
     std::vector<int> best_length = length, before;
     for(int i = 0; i < attempts && go_further(); ++i)
     {
@@ -142,9 +192,10 @@ public:
         const int arc = random.get_int(0, static_cast<int>(length.size()));
         changed = m_quantization.change(arc, random.get_bool() ? 1 : -1, m_scale, largest_edge_cost * r * r, false);
       }
-      const double c = changed ? cost() : (std::numeric_limits<double>::max)();
       const double temperature = first_temperature * (1 - double(i) / attempts);
-      if(c < now || random.get_double() < std::exp((now - c) / temperature))
+      const double limit = now - temperature * std::log(1 - random.get_double());
+      const double c = changed ? m_cost(limit) : Layout_cost::forbidden;
+      if(c <= limit)
         now = c;
       else
         length = before;
@@ -153,14 +204,18 @@ public:
         best = now;
         best_length = length;
       }
+      const bool is_time = (i + 1) % (std::max)(1, attempts / largest_number_of_runners_up) == 0;
+      if(is_time && (runners_up.empty() || runners_up.back() != best_length))
+        runners_up.push_back(best_length);
     }
     length = best_length;
+    if(!runners_up.empty() && runners_up.back() == length)
+      runners_up.pop_back();
   }
 
 private:
-  const Indexed_quad_mesh& m;
   Layout_quantization& m_quantization;
-  const std::vector<char>& m_is_fixed;
+  Layout_cost m_cost;
   double m_scale = 1;
 };
 
