@@ -1,8 +1,9 @@
-# Finds what the headers need: CGAL, Eigen, and CHOLMOD as CGAL_QUAD_MESHING_WITH_CHOLMOD says.
+# Finds what the headers need: CGAL, Eigen, threads, and CHOLMOD as CGAL_QUAD_MESHING_WITH_CHOLMOD says.
 #
-# Defines the targets CGAL::CGAL, CGAL::Eigen3_support and, where CGAL_QUAD_MESHING_USE_CHOLMOD
+# Defines the targets CGAL::CGAL, CGAL::Eigen3_support, Threads::Threads and, where CGAL_QUAD_MESHING_USE_CHOLMOD
 # becomes true, SuiteSparse::CHOLMOD. Used by the build and by the installed package.
 
+find_package(Threads REQUIRED)
 find_package(CGAL 5.5 REQUIRED)
 find_package(Eigen3 3.3.4 REQUIRED)
 include(CGAL_Eigen3_support)

@@ -109,6 +109,7 @@ int main(int argc, char* argv[])
       ("optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")
       ("seed", po::value<unsigned int>()->default_value(0),
        "seed of the edge lengths that are tried when the given one allows no valid map")
+      ("threads", po::value<unsigned int>()->default_value(1), "how many threads may work at the same time; the result is the same")
       ("save-field", po::value<std::string>(), "file for the cross field: x y z of a centroid and of a direction per line")
       ("save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")
       ("json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
@@ -138,6 +139,7 @@ int main(int argc, char* argv[])
     q.align_boundary = align_boundary;
     q.rounding_method = rounding;
     q.optimize_structure = args.has("optimize-structure");
+    q.number_of_threads = args.value<unsigned int>("threads");
     q.random_seed = args.value<unsigned int>("seed");
 
     QM::Quadrangulation_result result;

@@ -315,6 +315,25 @@ void test_maps()
 }
 
 // Each condition is broken alone, and the check names the simplex.
+// As many threads as wanted: the same map, to the last bit.
+void test_threads()
+{
+  Mapped m = map_of(test_meshes::perturbed(test_meshes::double_ring(4), 0.02, 1), 0.2, QM::GREEDY_ROUNDING, "rough rings");
+  auto uv = m.tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv_3").first;
+  QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, uv,
+                       parameters::target_edge_length(0.2).edge_is_constrained_map(m.is_feature).number_of_threads(3u));
+  for(Mesh::Halfedge_index h : m.tm.halfedges())
+    assert(uv[h] == m.uv[h]);
+
+  std::vector<int> calls(5000, 0);
+  for(unsigned int threads : { 0u, 1u, 2u, 7u })
+  {
+    QM::internal::parallel_for(calls.size(), threads, [&](std::size_t i) { ++calls[i]; });
+    QM::internal::parallel_for(0, threads, [&](std::size_t) { assert(false); });
+  }
+  assert(calls == std::vector<int>(5000, 4));
+}
+
 void test_check()
 {
   const Mapped good = map_of(test_meshes::cube(6), 0.2, QM::GREEDY_ROUNDING, "cube");
@@ -487,6 +506,7 @@ int main()
   test_check();
   test_separated_rounding();
   test_carrying();
+  test_threads();
   test_bad_input();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

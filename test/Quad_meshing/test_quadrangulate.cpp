@@ -170,6 +170,31 @@ void test_optimized_structure()
     assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], tm), coarse.point(v)) < 1e-12);
 }
 
+// At the corners of 45 degrees of this tetrahedron no map can follow all creases without fold-overs: they are released there.
+// Creases that the user has marked are not, and the answer says what became of the mesh.
+void test_released_features()
+{
+  test_meshes::Soup tetrahedron;
+  tetrahedron.points = { Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1) };
+  tetrahedron.triangles = { {{ 0, 2, 1 }}, {{ 0, 1, 3 }}, {{ 0, 3, 2 }}, {{ 1, 2, 3 }} };
+  const Mesh tm = test_meshes::make_mesh(tetrahedron);
+  const auto np = parameters::target_number_of_quads(4000.);
+  Mesh qm;
+  const Result r = QM::quadrangulate(tm, qm, np);
+  std::cout << "tetrahedron: " << r.message << std::endl;
+  assert(r.is_valid() && quad_mesh_checks::figures(qm).is_valid() && quad_mesh_checks::figures(qm).is_simple());
+  assert(r.released_feature_share >= 0 && r.released_feature_share < 1);
+  if(r.parameterization_attempts > 1 && r.target_edge_length == std::sqrt(CGAL::Polygon_mesh_processing::area(tm) / 4000))
+    assert(r.released_feature_share > 0);
+  Mesh marked;
+  auto is_feature = CGAL::Constant_property_map<Mesh::Edge_index, bool>(true);
+  const Result kept = QM::quadrangulate(tm, marked, np.edge_is_constrained_map(is_feature));
+  assert(kept.released_feature_share == 0);
+  assert(kept.is_valid() == (marked.number_of_faces() > 0 && quad_mesh_checks::figures(marked).is_valid() &&
+                             quad_mesh_checks::figures(marked).is_simple() &&
+                             quad_mesh_checks::figures(marked).same_topology(quad_mesh_checks::figures(tm))));
+}
+
 struct Stops_at_once : QM::Default_visitor
 {
   bool go_further() { return false; }
@@ -229,6 +254,7 @@ int main()
   test_invariance();
   test_directions_and_features_of_the_user();
   test_optimized_structure();
+  test_released_features();
   test_bad_input_and_stops();
   test_real_mesh();
   std::cout << "done" << std::endl;

@@ -81,6 +81,7 @@ public:
   Rounding_method rounding_method = GREEDY_ROUNDING; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;          ///< the weight of lengths against directions, in (0, 1]
   bool optimize_structure = false;       ///< whether `optimize_quad_structure()` makes the base complex coarser
+  unsigned int number_of_threads = 1;    ///< that may work at the same time; the result does not depend on it
   unsigned int random_seed = 0;          ///< of the lengths that are tried when the map for the given one is not valid
   unsigned int smoothing_iterations = 20; ///< sweeps of the final smoothing; 0 keeps the extracted points
   /// @}
@@ -262,6 +263,7 @@ private:
                              .align_boundary(align_boundary)
                              .rounding_method(rounding_method)
                              .anisotropy_weight(anisotropy_weight)
+                             .number_of_threads(number_of_threads)
                              .visitor(std::ref(visitor)));
     ++result.parameterization_attempts;
     result.parameterization_seconds += map.seconds;

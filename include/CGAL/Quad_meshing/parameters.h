@@ -34,6 +34,8 @@
 //   anisotropy_weight               double        weight of the length of quads against their direction, in (0, 1]; 1
 //   stiffening_iterations           unsigned int  how often the energy may be weighted anew where triangles are
 //                                                 distorted, as long as there are folded ones; 0
+//   number_of_threads               unsigned int  how many threads may work at the same time, results do not depend on
+//                                                 it; 1
 //   face_location_map               property map  receives quad vertex -> its place on the input mesh; none
 //
 // Mixed-integer problems
@@ -75,6 +77,7 @@
   CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
   CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
   CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)            \
+  CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
   CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \

@@ -44,6 +44,9 @@ The result is `VALID` only if the mesh consists of quads, is a manifold by const
 has the components, Euler numbers and border loops of the input. If not, the result says why, and the best mesh that could be made, if there
 is one, is delivered all the same.
 
+Where sharp edges leave no room for a map without fold-overs, those nearby are released: the quads need not follow them there. The
+message says what part of their length that is. Edges that `edge_is_constrained_map` marks are never released.
+
 The result depends on nothing but the input and the parameters.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -108,6 +111,11 @@ The result depends on nothing but the input and the parameters.
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_threads}
+    \cgalParamDescription{how many threads may work at the same time; the result does not depend on it}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the edge lengths that are tried when the map for the given one is not valid}
     \cgalParamType{`unsigned int`}
@@ -169,6 +177,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   q.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), q.rounding_method);
   q.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), q.anisotropy_weight);
   q.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), q.optimize_structure);
+  q.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), q.number_of_threads);
   q.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), q.random_seed);
   q.smoothing_iterations =
     choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), q.smoothing_iterations);

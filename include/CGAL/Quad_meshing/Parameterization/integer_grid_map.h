@@ -145,6 +145,11 @@ guarantee to find such a map: if integers leave no room for one, the result is `
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{5}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_threads}
+    \cgalParamDescription{how many threads may work at the same time; the result does not depend on it}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told about the stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
     \cgalParamDefault{`Default_visitor`}
@@ -190,6 +195,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
   const Rounding_method method = choose_parameter(get_parameter(np, internal_np::rounding_method), GREEDY_ROUNDING);
   const double anisotropy = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), 1.);
+  const unsigned int threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), 1u);
   const unsigned int stiffening = choose_parameter(get_parameter(np, internal_np::stiffening_iterations), 5u);
   auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                          Static_boolean_property_map<edge_descriptor, false>());
@@ -253,7 +259,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
     return true;
   };
 
-  internal::Integer_grid_solver solver(mesh, face_angle, edge_jump, quarters, is_aligned, sizing);
+  internal::Integer_grid_solver solver(mesh, face_angle, edge_jump, quarters, is_aligned, sizing, threads);
   result.variables = solver.coordinates.number_of_variables();
   result.integers = solver.number_of_integers();
   if(stopped())

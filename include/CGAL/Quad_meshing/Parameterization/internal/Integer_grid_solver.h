@@ -40,11 +40,14 @@ public:
   // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need not be aligned.
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
-                      const std::vector<bool>& is_aligned, const std::vector<double>& sizing)
+                      const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
+                      unsigned int number_of_threads = 1)
     : mesh(mesh), is_singular(singular_vertices(mesh, quarters)),
       charts(mesh, angle, period_jump, is_singular), coordinates(charts, is_singular, is_aligned), faces(charts, sizing),
       sectors(coordinates, quarters, is_aligned), optimization(coordinates, faces, sectors)
-  {}
+  {
+    optimization.number_of_threads = number_of_threads;
+  }
 
   int number_of_integers() const
   {
@@ -210,7 +213,7 @@ private:
   bool is_carried = false;
   // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
   // triangle no amount of work helps.
-  static constexpr double most_operations = 2e10;
+  static constexpr double most_operations = 1e10;
 
   bool untangle_seamless(Eigen::VectorXd& y)
   {

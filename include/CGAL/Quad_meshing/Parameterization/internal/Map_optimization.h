@@ -15,6 +15,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Regularized_distortion.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
+#include <CGAL/Quad_meshing/internal/parallel_for.h>
 
 #include <Eigen/SparseCore>
 
@@ -22,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,9 @@ public:
   // Operations that the repairs may still spend on assembling and factorizing; the descent ends where none are left. A count
   // and not a time, so that results do not depend on the machine.
   double operations_left = (std::numeric_limits<double>::max)();
+
+  // Does not change results.
+  unsigned int number_of_threads = 1;
 
   // The faces that are folded over, and all the faces of a sector around a vertex whose images wind around it too often or
   // too seldom: there the map is not injective although every triangle may be well oriented.
@@ -415,14 +420,13 @@ private:
 
   double energy(const Eigen::VectorXd& x) const
   {
-    double e = 0;
-    for(int f : active)
+    std::vector<double> of_face(active.size());
+    parallel_for(active.size(), number_of_threads, [&](std::size_t i)
     {
-      e += weight[f] * distortion.value(faces.jacobian(f, corner_coordinates(coordinates, f, x)));
-      if(!std::isfinite(e))
-        break;
-    }
-    return e;
+      const int f = active[i];
+      of_face[i] = weight[f] * distortion.value(faces.jacobian(f, corner_coordinates(coordinates, f, x)));
+    });
+    return std::accumulate(of_face.begin(), of_face.end(), 0.);
   }
 
   double least_determinant(const Eigen::VectorXd& x) const
@@ -440,8 +444,20 @@ private:
     double trace = 0, additions = 0;
     std::vector<int> local, place(variables.size(), -1);
     Eigen::MatrixXd B, HB, lH; // B: d (J00, J01, J10, J11) / d local variables
-    for(int f : active)
+    struct Derivatives
     {
+      Regularized_distortion::Vector_4 g;
+      Regularized_distortion::Matrix_4 H;
+    };
+    std::vector<Derivatives, Eigen::aligned_allocator<Derivatives> > derivatives(active.size());
+    parallel_for(active.size(), number_of_threads, [&](std::size_t i)
+    {
+      const Eigen::Matrix2d J = faces.jacobian(active[i], corner_coordinates(coordinates, active[i], x));
+      distortion.derivatives(J, derivatives[i].g, derivatives[i].H);
+    });
+    for(std::size_t a = 0; a < active.size(); ++a)
+    {
+      const int f = active[a];
       local.clear();
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
@@ -461,15 +477,12 @@ private:
               B(2 * c, i) += t.second * faces.gradient[f](k, 0);
               B(2 * c + 1, i) += t.second * faces.gradient[f](k, 1);
             }
-      Regularized_distortion::Vector_4 g;
-      Regularized_distortion::Matrix_4 H;
-      distortion.derivatives(faces.jacobian(f, corner_coordinates(coordinates, f, x)), g, H);
-      HB.noalias() = weight[f] * H * B;
+      HB.noalias() = weight[f] * derivatives[a].H * B;
       lH.noalias() = B.transpose() * HB;
       additions += double(local.size()) * local.size();
       for(std::size_t i = 0; i < local.size(); ++i)
       {
-        gradient[local[i]] += weight[f] * B.col(i).dot(g);
+        gradient[local[i]] += weight[f] * B.col(i).dot(derivatives[a].g);
         for(std::size_t j = 0; j < local.size(); ++j)
           sum.add(local[i], local[j], lH(i, j));
         trace += lH(i, i);

@@ -91,9 +91,7 @@ public:
         best = z;
       }
     };
-    const double most_shared = 2e9; // a bound on the work
     const double least_gain = 1e-9 * step_weight; // less is a rounding error of the gradient
-    shared_left = most_shared;
     while(patience-- > 0 && shared_left > 0)
     {
       Move move = best_step();
@@ -152,7 +150,7 @@ private:
   std::vector<double> relief;                      // per integer: the weighted violations that its steps can end at most
   std::vector<std::array<double, 2> > step_gain;   // per integer, down and up: by how much a step lessens the weighted violations
   std::vector<std::vector<std::vector<Shared> > > shared; // per integer and partner
-  double shared_left = 0; // terms of this list that may still be visited
+  double shared_left = 4e9; // terms of these lists that may still be visited: a bound on the work
   double step_weight = 0; // what one step of one integer costs on average
 
   static double violation(double value)
