@@ -530,18 +530,52 @@ void test_greedy_levels(CGAL::Random& random)
   assert(simultaneous.simultaneous_roundings > 0);
   assert(simultaneous.energy - naive.relaxed_energy < 1.5 * (naive.energy - naive.relaxed_energy));
 
-  typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType> >
-    Other_solver;
-  const Solution other = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
-    .sparse_linear_solver(Other_solver()));
-  assert(is_close(other.energy, naive.energy));
-
   const Solution lattice = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
     .maximum_number_of_nodes(3e5));
   assert(lattice.energy <= dense.energy + 1e-9 && lattice.lower_bound >= dense.relaxed_energy - 1e-6);
   const Solution again = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
     .maximum_number_of_nodes(3e5));
   assert((lattice.x - again.x).cwiseAbs().maxCoeff() == 0.);
+}
+
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType> >
+  Other_solver;
+
+// Counts what it is asked for.
+struct Counting_solver : Other_solver
+{
+  static int factorizations, solutions;
+  bool factor(const Matrix& A, NT& denominator)
+  {
+    ++factorizations;
+    return Other_solver::factor(A, denominator);
+  }
+  bool linear_solver(const Vector& b, Vector& x)
+  {
+    ++solutions;
+    return Other_solver::linear_solver(b, x);
+  }
+};
+int Counting_solver::factorizations = 0;
+int Counting_solver::solutions = 0;
+
+// All methods use the solver of the user, and no other one, with the same result.
+void test_other_linear_solver(CGAL::Random& random)
+{
+  const Problem problem = grid_problem(random, 8, 5);
+  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING,
+                                     QM::LATTICE_ROUNDING, QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT })
+    for(int dense : { 0, 1000 })
+    {
+      Counting_solver::factorizations = Counting_solver::solutions = 0;
+      const Solution own = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_dense_integers(dense)
+        .rounding_tolerance(1e-9).simultaneous_rounding(false));
+      assert(Counting_solver::factorizations == 0);
+      const Solution other = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_dense_integers(dense)
+        .rounding_tolerance(1e-9).simultaneous_rounding(false).sparse_linear_solver(Counting_solver()));
+      assert(own.status == other.status && is_close(own.energy, other.energy) && is_close(own.relaxed_energy, other.relaxed_energy));
+      assert(Counting_solver::factorizations == other.factorizations && other.factorizations > 0 && Counting_solver::solutions > 0);
+    }
 }
 
 // The shape of a field: integers with two neighbors each, which are condensed, and some with more.
@@ -804,6 +838,90 @@ void test_special_cases()
          == Solution::UNBOUNDED);
 }
 
+const QM::Rounding_method all_methods[] =
+  { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING, QM::BRANCH_AND_BOUND,
+    QM::BRANCH_AND_CUT, QM::CUTTING_PLANES, QM::OUTER_APPROXIMATION };
+
+Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& A)
+{
+  return A.sparseView();
+}
+
+// Problems without curvature, in all or in some directions, with and without a minimum.
+void test_flat_problems()
+{
+  for(QM::Rounding_method method : all_methods)
+  {
+    Problem zero(3);
+    zero.set_integer(0);
+    for(const Solution& s : { QM::solve_mixed_integer(zero, params::rounding_method(method)),
+                              QM::solve_mixed_integer(zero, params::rounding_method(method).maximum_dense_integers(0)),
+                              QM::solve_mixed_integer(zero, params::rounding_method(method).sparse_linear_solver(Other_solver())) })
+      assert(s.status == Solution::OPTIMAL && s.energy == 0. && s.x.size() == 3);
+
+    Problem steep(2);
+    steep.set_integer(0);
+    steep.set_energy(Eigen::SparseMatrix<double>(2, 2), Eigen::Vector2d(0., -1.));
+    assert(QM::solve_mixed_integer(steep, params::rounding_method(method)).status == Solution::UNBOUNDED);
+
+    if(method == QM::CUTTING_PLANES)
+      continue;
+    for(int integers : { 0, 1, 2 })
+    {
+      Problem valley(2);
+      for(int i = 0; i < integers; ++i)
+        valley.set_integer(i);
+      valley.set_energy(sparse((Eigen::Matrix2d() << 1, -1, -1, 1).finished()), Eigen::Vector2d(1., 1.));
+      assert(QM::solve_mixed_integer(valley, params::rounding_method(method)).status == Solution::UNBOUNDED);
+      // A constraint closes it.
+      valley.add_equality_constraint({ { 0, 1. }, { 1, 1. } }, 4.);
+      const Solution s = QM::solve_mixed_integer(valley, params::rounding_method(method));
+      assert(s.status == Solution::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 2.));
+    }
+    // A minimum far away is one.
+    Problem far(2);
+    far.set_integer(0);
+    far.set_energy(sparse(Eigen::Matrix2d::Identity()), Eigen::Vector2d(1e9 + 0.25, 3e9));
+    const Solution s = QM::solve_mixed_integer(far, params::rounding_method(method));
+    assert(s.is_feasible() && std::fabs(s.x[0] - 1e9) < 0.3 && is_close(s.x[1], 3e9));
+  }
+}
+
+// Inequalities over integers whose coefficients are fractions, and bounds that make no sense.
+void test_fractional_inequalities()
+{
+  for(QM::Rounding_method method : { QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT, QM::CUTTING_PLANES, QM::OUTER_APPROXIMATION })
+  {
+    Problem problem(2);
+    problem.set_integer(0);
+    problem.set_integer(1);
+    problem.set_energy(Eigen::SparseMatrix<double>(2, 2), Eigen::Vector2d(5.5, 4.1));
+    problem.add_inequality_constraint({ { 0, 0.6 }, { 1, 0.4 } }, 2.4);
+    problem.add_inequality_constraint({ { 0, 0.1 }, { 1, 0.2 } }, 0.65);
+    problem.set_bounds(0, 0., Problem::infinity());
+    problem.set_bounds(1, 0., Problem::infinity());
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(1000));
+    assert(s.status == Solution::OPTIMAL && s.x[0] == 4. && s.x[1] == 0. && is_close(s.energy, -22.));
+
+    // An even number between 0.5 and 1.5, on an unbounded strip.
+    Problem strip(2);
+    strip.set_integer(0);
+    strip.set_integer(1);
+    strip.set_energy(Eigen::SparseMatrix<double>(2, 2), Eigen::Vector2d(1., -1.));
+    strip.add_inequality_constraint({ { 0, 2. }, { 1, -2. } }, 1.5);
+    strip.add_inequality_constraint({ { 0, -2. }, { 1, 2. } }, -0.5);
+    strip.set_bounds(0, 0., Problem::infinity());
+    assert(QM::solve_mixed_integer(strip, params::rounding_method(method)).status == Solution::INFEASIBLE);
+
+    Problem senseless(1);
+    senseless.set_integer(0);
+    senseless.set_bounds(0, Problem::infinity(), Problem::infinity());
+    assert(QM::solve_mixed_integer(senseless, params::rounding_method(method)).status == Solution::INFEASIBLE);
+    senseless.set_bounds(0, 0., std::numeric_limits<double>::quiet_NaN());
+    assert(QM::solve_mixed_integer(senseless, params::rounding_method(method)).status == Solution::NUMERICAL_FAILURE);
+  }
+}
+
 void test_matrix_market()
 {
   const auto read = [](const std::string& text, Eigen::SparseMatrix<double>& matrix)
@@ -858,6 +976,8 @@ int main()
   test_matrix_market();
   std::cout << "special cases" << std::endl;
   test_special_cases();
+  test_flat_problems();
+  test_fractional_inequalities();
   std::cout << "brute force" << std::endl;
   test_against_brute_force(random);
   std::cout << "linear programs" << std::endl;
@@ -873,6 +993,8 @@ int main()
   test_lattice_bounds(random);
   std::cout << "energy of integers" << std::endl;
   test_integer_energy(random);
+  std::cout << "other linear solver" << std::endl;
+  test_other_linear_solver(random);
   std::cout << "visitor" << std::endl;
   test_visitor(random);
   std::cout << "done" << std::endl;

@@ -275,6 +275,21 @@ void test_structure()
       if(r.target != -1)
         fast.emplace(r.sidesteps, r.offset);
     assert(fast == slow_relations(m));
+
+    // no turn of a helix crosses itself
+    const Mesh mesh = SM::make_mesh(soup);
+    const auto helices = QM::minimal_q_helices(mesh);
+    assert(helices.size() == s.number_of_helices && s.number_of_helices <= s.number_of_helices_with_crossings);
+    for(const auto& h : helices)
+    {
+      std::set<Mesh::Face_index> passed;
+      Mesh::Halfedge_index x = h.first;
+      for(int i = 0; i < h.turn_length; ++i)
+      {
+        assert(passed.insert(mesh.face(x)).second);
+        x = mesh.next(mesh.next(mesh.opposite(x)));
+      }
+    }
   }
 
   // refinement changes nothing but the sizes

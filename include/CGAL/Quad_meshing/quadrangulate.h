@@ -90,6 +90,11 @@ The result depends on nothing but the input and the parameters.
     \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `boost::optional<Vector_3>` as value type}
     \cgalParamDefault{no direction is given}
   \cgalParamNEnd
+  \cgalParamNBegin{cross_field_method}
+    \cgalParamDescription{how the singularities of the cross field are found}
+    \cgalParamType{`Cross_field_method`}
+    \cgalParamDefault{`Cross_field_method::REPRESENTATION`: smoother fields have fewer singularities, but their maps are more distorted}
+  \cgalParamNEnd
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how the integers of the map are chosen}
     \cgalParamType{`Rounding_method`}
@@ -174,6 +179,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     choose_parameter(get_parameter(np, internal_np::target_number_of_quads), q.target_number_of_quads);
   q.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), q.sharpness_angle);
   q.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), q.align_boundary);
+  q.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), q.cross_field_method);
   q.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), q.rounding_method);
   q.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), q.anisotropy_weight);
   q.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), q.optimize_structure);

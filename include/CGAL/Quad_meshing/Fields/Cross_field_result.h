@@ -23,7 +23,8 @@ enum class Cross_field_method
   POLISHED, ///< the globally smoothest representation field, rounded, and a local search with exact gains (the default and the best)
   GREEDY,   ///< the mixed-integer problem over a forest of dual trees, integers rounded one after the other, nearest first
   DIRECT,   ///< the same problem, all integers rounded at once
-  NAIVE     ///< as `GREEDY` with the exact solution of the system after every rounding: a yardstick
+  NAIVE,    ///< as `GREEDY` with the exact solution of the system after every rounding: a yardstick
+  REPRESENTATION ///< the start of `POLISHED` alone: higher energy, more singularities, and often a less distorted integer-grid map
 };
 
 /*!

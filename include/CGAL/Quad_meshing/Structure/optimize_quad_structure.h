@@ -78,36 +78,40 @@ struct Structure_options
   unsigned int smoothing_iterations = 20;
 };
 
-// Looks for a coarse layout. Takes the best one on which the smoothing leaves no inverted quads; if the input has such
-// quads itself, else one with not many more of them; else the mesh as it is. `smooth(state)` smooths and returns what has
-// been done.
+// Looks for a coarse layout. Takes the best one if the smoothing leaves good quads on it, else the one with the best quads of
+// the next few; if the input has no inverted quads, these must not have any, else not many more. If there is
+// none, the mesh stays as it is. `smooth(state)` smooths and returns what has been done.
 template <typename Smooth, typename Visitor>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Smooth& smooth, Visitor& visitor)
 {
   typedef Structure_optimizer::State State;
+  // The scaled Jacobian of quads that are good, and how many more layouts are tried for it once there is one that
+  // could be taken; fewer on large meshes, as many as have together so many quads.
+  constexpr double good_jacobian = 0.2;
+  constexpr std::size_t further_layouts = 4, further_quads = 20000;
   const std::size_t quads = optimizer.state.mesh.corners.size();
   const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
                            : options.collapse_dual_curves ? 1 : quads;
-  const std::size_t inverted_before = quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
+  const std::size_t most_inverted = 2 * quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
   Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
   layout.search(static_cast<int>(options.layouts), [&] { return visitor.go_further(); }, [&](double p) { visitor.progress(p); });
-  // How many more layouts are tried for one without inverted quads once there is one that could be taken.
-  constexpr int further_layouts = 6;
-  const std::size_t most_inverted = 2 * inverted_before;
   State best;
-  std::size_t least_inverted = most_inverted + 1;
-  int left = further_layouts;
-  for(State candidate; least_inverted > 0 && left > 0 && visitor.go_further() && layout.next(candidate); )
+  std::pair<std::size_t, double> least(most_inverted + 1, 0);       // inverted quads, and minus the scaled Jacobian
+  int left = static_cast<int>((std::min)(further_layouts, further_quads / quads));
+  for(State candidate; left >= 0 && visitor.go_further() && layout.next(candidate); )
   {
-    left -= least_inverted <= most_inverted;
-    const std::size_t inverted = smooth(candidate).quality_after.number_of_inverted_quads;
-    if(inverted < least_inverted)
+    const Quad_mesh_quality quality = smooth(candidate).quality_after;
+    const std::pair<std::size_t, double> score(quality.number_of_inverted_quads, -quality.minimal_scaled_jacobian);
+    if(score < least)
     {
-      least_inverted = inverted;
+      least = score;
       best = std::move(candidate);
     }
+    if(options.smoothing_iterations == 0 || least.second <= -good_jacobian)
+      break;
+    left -= least.first <= most_inverted;
   }
-  if(least_inverted <= most_inverted)
+  if(least.first <= most_inverted)
     optimizer.set_state(std::move(best));
 }
 
@@ -224,6 +228,10 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
                  + std::to_string(result.structure_before.number_of_patches) + " before; the number of helices is "
                  + std::to_string(result.structure_after.number_of_helices) + ", "
                  + std::to_string(result.structure_before.number_of_helices) + " before.";
+  if(options.target_patches > 0 && result.structure_after.number_of_patches > options.target_patches)
+    result.message += " The target of " + std::to_string(options.target_patches) + " patches has not been reached.";
+  if(options.target_quads > 1 && result.structure_after.number_of_quads > options.target_quads)
+    result.message += " The target of " + std::to_string(options.target_quads) + " quads has not been reached.";
   return result;
 }
 
@@ -285,9 +293,9 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * another one, cut the mesh into few rectangles; integer lengths are chosen for their sides such that sides vanish, which makes
  * lines from different irregular vertices meet (Lyon, Campen, Kobbelt: *Quad layouts via constrained T-mesh quantization*,
  * Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is replaced by several parallel ones, so that there
- * are about as many quads as before. The layout is chosen by its number of patches, by its number of helices and by
- * how well the lengths of the quads fit to those of the input. A layout on which the smoothing leaves
- * inverted quads is given up for a finer one; if none is better than the input, the input stays.
+ * are about as many quads as before, or fewer if that gives fewer helices. The layout is chosen by its number of
+ * helices, by its number of patches and by how well the lengths of the quads fit to those of the input. A layout on which
+ * the smoothing leaves inverted quads is given up for another one; if none is better than the input, the input stays.
  *
  * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest winding
  * number that can be removed with a gain first, in several of its columns and in both directions, one operator for each unit of

@@ -101,7 +101,7 @@ private:
       return Cross_field_status::NUMERICAL_FAILURE;
 
     const bool polished = m_options.method == Cross_field_method::POLISHED;
-    if(polished)
+    if(polished || m_options.method == Cross_field_method::REPRESENTATION)
     {
       // More make the start smoother, but take longer, and the search ends no lower.
       const int clusters = 6000;

@@ -172,6 +172,9 @@ private:
       return;
     const std::function<bool()> go_further = limits();
     const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
+    m_z = schur.complete(greedy);
+    if(is_unbounded())
+      return;
     Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes, go_further);
     const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);
@@ -251,6 +254,9 @@ private:
       incumbent = dense_greedy_rounding(schur.cholesky(), schur.target());
       radius = schur.cost(incumbent);
       m_solution.relaxed_energy = constant;
+      m_z = schur.complete(incumbent);
+      if(is_unbounded())
+        return finish();
     }
     Search_result result;
     if(m_options.method == BRANCH_AND_BOUND)

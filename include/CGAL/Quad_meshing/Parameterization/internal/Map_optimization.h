@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Regularized_distortion.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Star_layout.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
 #include <CGAL/Quad_meshing/internal/parallel_for.h>
 
@@ -88,7 +89,7 @@ public:
         if(anew)
         {
           restrict_to(inside, coordinates.is_integer);
-          make_harmonic(y, open_folded_stars(y));
+          make_harmonic(y, Star_layout(coordinates, faces, sectors, number).open(folded_faces(y), y));
         }
         restrict_to(inside, is_fixed);
         minimize(y, newton_steps, true);
@@ -200,7 +201,7 @@ private:
           angle[sectors.sector_of_corner[3 * f + k]] += angle_of_image(p, k);
     }
     for(std::size_t i = 0; i < angle.size(); ++i)
-      if(std::lround(angle[i] / right_angle()) != sectors.list[i].quarters)
+      if(std::lround(angle[i] / Vertex_sectors::right_angle()) != sectors.list[i].quarters)
         for(int h : sectors.list[i].halfedges)
           is_bad[h / 3] = true;
     std::vector<int> result;
@@ -210,98 +211,11 @@ private:
     return result;
   }
 
-  static double right_angle() { return std::acos(-1.) / 2; }
-
   // The signed angle of corner k of a triangle in the plane.
   static double angle_of_image(const Eigen::Matrix<double, 2, 3>& p, int k)
   {
     const Eigen::Vector2d a = p.col((k + 1) % 3) - p.col(k), b = p.col((k + 2) % 3) - p.col(k);
     return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  }
-
-  // Lays out the neighbours of irregular vertices with folded faces anew: in their order, at angles in the proportion of those on
-  // the surface and that fill the sector, at a part of their distance. Returns which variables have got a place.
-  std::vector<bool> open_folded_stars(Eigen::VectorXd& x) const
-  {
-    std::vector<bool> is_folded(mesh.number_of_faces(), false), is_placed(coordinates.number_of_variables(), false);
-    for(int f : folded_faces(x))
-      is_folded[f] = true;
-    for(const Vertex_sectors::Sector& sector : sectors.list)
-      if(sector.is_irregular &&
-         std::any_of(sector.halfedges.begin(), sector.halfedges.end(), [&](int h) { return is_folded[h / 3]; }))
-        open_sector(sector, x, is_placed);
-    return is_placed;
-  }
-
-  void open_sector(const Vertex_sectors::Sector& sector, Eigen::VectorXd& x, std::vector<bool>& is_placed) const
-  {
-    double total = 0;
-    for(int h : sector.halfedges)
-      total += angle_at_source(h);
-    const double scale = total > 0 ? sector.quarters * right_angle() / total : 0;
-
-    // Directions in the chart of the face of each halfedge; `turned` counts the quarters from the first chart.
-    std::vector<double> direction(sector.halfedges.size());
-    Eigen::Vector2d mean(0, 0);
-    double along = 0;
-    int turned = 0;
-    for(std::size_t i = 0; i < direction.size(); ++i)
-    {
-      const int h = sector.halfedges[i];
-      direction[i] = along + turned * right_angle();
-      const Eigen::Vector2d d = in_field_frame(h);
-      const double off = std::atan2(d.y(), d.x()) - direction[i];
-      mean += Eigen::Vector2d(std::cos(off), std::sin(off));
-      along += scale * angle_at_source(h);
-      if(i + 1 < direction.size())
-        turned += Vertex_sectors::quarters_across(coordinates.charts, Indexed_triangle_mesh::prev(h));
-    }
-    const double offset = sector.is_anchored ? coordinates.quarter_of(sector.halfedges.front()) * right_angle()
-                                             : std::atan2(mean.y(), mean.x());
-    for(std::size_t i = 0; i < direction.size(); ++i)
-    {
-      const int h = sector.halfedges[i];
-      place(h, Indexed_triangle_mesh::next(h), direction[i] + offset, in_field_frame(h).norm(), x, is_placed);
-    }
-    if(sector.is_anchored)
-      place(sector.halfedges.back(), sector.last, along + turned * right_angle() + offset, in_field_frame(sector.last).norm(), x,
-            is_placed);
-  }
-
-  // Moves the free coordinates of a corner to a place seen from another corner of the same face.
-  void place(int center, int corner, double direction, double distance, Eigen::VectorXd& x,
-             std::vector<bool>& is_placed) const
-  {
-    const double relative_radius = 0.5;
-    const int from = coordinates.charts.wedge_of_corner[center], w = coordinates.charts.wedge_of_corner[corner];
-    const double target[2] = { coordinates.value(from, 0, x) + relative_radius * distance * std::cos(direction),
-                               coordinates.value(from, 1, x) + relative_radius * distance * std::sin(direction) };
-    for(int c = 0; c < 2; ++c)
-      for(const auto& t : coordinates.coordinates[w][c])
-        if(number[t.first] != -1)
-        {
-          x[t.first] += (target[c] - coordinates.value(w, c, x)) / t.second;
-          is_placed[t.first] = true;
-          break;
-        }
-  }
-
-  double angle_at_source(int h) const
-  {
-    const auto a = mesh.vector(h), b = -mesh.vector(Indexed_triangle_mesh::prev(h));
-    return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
-  }
-
-  // The vector of h in the frame of the combed field, in units of the target edge length.
-  Eigen::Vector2d in_field_frame(int h) const
-  {
-    Eigen::Matrix2d M; // two rows of the gradient are the inverse of the two edge vectors at corner 0
-    M.row(0) = faces.gradient[h / 3].row(1);
-    M.row(1) = faces.gradient[h / 3].row(2);
-    const Eigen::Matrix2d E = M.inverse();
-    Eigen::Matrix<double, 2, 3> p;
-    p << Eigen::Vector2d(0, 0), E.col(0), E.col(1);
-    return p.col((h + 1) % 3) - p.col(h % 3);
   }
 
   // Puts the free variables that have no place yet where the sum of the squared edge lengths of the images is least

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +52,8 @@ struct Vertex_sectors
       for(int h : list[s].halfedges)
         sector_of_corner[h] = static_cast<int>(s);
   }
+
+  static double right_angle() { return std::acos(-1.) / 2; }
 
   // Quarters from the chart of the face of h to the chart beyond it.
   static int quarters_across(const Combed_charts& charts, int h)
