@@ -105,6 +105,8 @@ int main(int argc, char* argv[])
       ("sharp-angle", po::value<double>()->default_value(40),
        "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")
       ("align-boundary", po::value<std::string>()->default_value("on"), "on or off: make the boundary a chain of quad edges")
+      ("field", po::value<std::string>()->default_value("representation"),
+       "representation, greedy or polished: how the singularities of the cross field are found")
       ("rounding", po::value<std::string>()->default_value("greedy"), "direct, greedy or lattice: how integers are found")
       ("optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")
       ("seed", po::value<unsigned int>()->default_value(0),
@@ -126,6 +128,10 @@ int main(int argc, char* argv[])
     const QM::Rounding_method methods[] = { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING };
     const QM::Rounding_method rounding = methods[args.choice("rounding", { "direct", "greedy", "lattice" })];
 
+    const QM::Cross_field_method fields[] = { QM::Cross_field_method::REPRESENTATION, QM::Cross_field_method::GREEDY,
+                                              QM::Cross_field_method::POLISHED };
+    const QM::Cross_field_method field = fields[args.choice("field", { "representation", "greedy", "polished" })];
+
     const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
     command_line::check_mesh_output(args.positional(1));
     for(const char* file : { "save-field", "save-uv", "json" })
@@ -137,6 +143,7 @@ int main(int argc, char* argv[])
     q.target_number_of_quads = number_of_quads;
     q.sharpness_angle = sharp_angle;
     q.align_boundary = align_boundary;
+    q.cross_field_method = field;
     q.rounding_method = rounding;
     q.optimize_structure = args.has("optimize-structure");
     q.number_of_threads = args.value<unsigned int>("threads");
