@@ -150,14 +150,15 @@ void test_directions_and_features_of_the_user()
   assert(std::abs(length_on_lines(split, in_middle) - 1) < 1e-9);
 }
 
-// Fewer patches and the same irregular vertices.
+// Fewer patches, the same irregular vertices, and all vertices on the input as ever.
 void test_optimized_structure()
 {
   const Mesh tm = test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1));
   const auto np = parameters::target_number_of_quads(500.);
   Mesh plain, coarse;
+  auto location = coarse.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
   assert(QM::quadrangulate(tm, plain, np).is_valid());
-  const Result r = QM::quadrangulate(tm, coarse, np.optimize_structure(true));
+  const Result r = QM::quadrangulate(tm, coarse, np.optimize_structure(true).face_location_map(location));
   std::cout << "optimized structure: " << r.message << " " << r.quads << " quads" << std::endl;
   assert(r.is_valid() && r.structure_seconds > 0 && r.folded_quads == 0);
   const auto before = quad_mesh_checks::figures(plain), after = quad_mesh_checks::figures(coarse);
@@ -165,6 +166,8 @@ void test_optimized_structure()
   assert(after.irregular_vertices() == before.irregular_vertices() && r.irregular_vertices == after.irregular_vertices());
   const std::size_t patches = QM::quad_mesh_structure(plain).number_of_patches;
   assert(QM::quad_mesh_structure(coarse).number_of_patches < patches);
+  for(Mesh::Vertex_index v : coarse.vertices())
+    assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], tm), coarse.point(v)) < 1e-12);
 }
 
 // At the corners of 45 degrees of this tetrahedron no map can follow all creases without fold-overs: they are released there.

@@ -89,6 +89,7 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, c
   for(; moving && result.iterations < number_of_iterations && visitor.go_further(); ++result.iterations)
   {
     moving = smoother.sweep();
+    moving = smoother.project_leftovers() || moving;
     visitor.progress(double(result.iterations + 1) / number_of_iterations);
   }
   result.folded_quads_after = smoother.folded_quads().size();

@@ -28,7 +28,7 @@ namespace internal {
 // Unmarks the feature edges with an end within a distance of some faces, measured along edges. Returns their length.
 template <typename TriangleMesh, typename VertexPointMap, typename FaceRange, typename EdgeIsFeatureMap>
 double release_features(const TriangleMesh& tm, VertexPointMap vpm, const FaceRange& faces_without_room, double radius,
-                             EdgeIsFeatureMap is_feature)
+                        EdgeIsFeatureMap is_feature)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   typedef std::pair<double, vertex_descriptor> Entry;
@@ -59,9 +59,7 @@ double release_features(const TriangleMesh& tm, VertexPointMap vpm, const FaceRa
     if(top.first > get(distance, top.second))
       continue;
     for(auto h : halfedges_around_target(top.second, tm))
-    {
       reach(source(h, tm), top.first + edge_length(h));
-    }
   }
   double released = 0;
   for(auto e : edges(tm))

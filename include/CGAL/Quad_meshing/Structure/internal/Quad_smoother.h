@@ -72,37 +72,43 @@ public:
   void project()
   {
     m_place.assign(m.number_of_vertices(), -1);
+    m_is_off.assign(m.number_of_vertices(), 0);
     int hint = -1;
     for(int v = 0; v < m.number_of_vertices(); ++v)
     {
       if(m_kind[v] == fixed)
         continue;
-      Point_3 p;
       if(m_kind[v] == on_surface)
-      {
         for(int i = m_first[v]; i < m_first[v + 1]; ++i)
         {
           const int w = m.target(m_corner[i]);
           if(m_kind[w] == on_surface && m_place[w] != -1)
             hint = m_place[w];
         }
-        const Reference_surface::Location l = surface.locate(m.points[v], hint);
-        hint = m_place[v] = l.face;
-        p = l.point;
-      }
-      else
-      {
-        Reference_curves& curves = m_kind[v] == on_feature ? features : borders;
-        const Reference_curves::Location l = curves.locate(m.points[v]);
-        m_place[v] = l.segment;
-        p = l.point;
-        // what sits at the end of a curve is the corner there
-        if(l.at_end && squared_distance(p, m.points[v]) <= corner_capture * corner_capture * m_scale[v])
-          m_kind[v] = fixed;
-      }
-      if(is_safe(v, p))
-        move(v, p);
+      const Nearest nearest = nearest_on_reference(v, hint);
+      m_place[v] = nearest.place;
+      if(m_kind[v] == on_surface)
+        hint = nearest.place;
+      // what sits at the end of a curve is the corner there
+      else if(nearest.at_end &&
+              squared_distance(nearest.point, m.points[v]) <= corner_capture * corner_capture * m_scale[v])
+        m_kind[v] = fixed;
+      put_onto_reference(v, nearest, guarded_jacobian);
     }
+  }
+
+  // Puts the vertices that were left off their reference, as they would have folded something there, onto it now that their
+  // neighbours have moved, however much worse, but not folded, the quads around them become. Returns whether one has moved.
+  bool project_leftovers()
+  {
+    bool any = false;
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+      if(m_is_off[v] && m_kind[v] != fixed)
+      {
+        put_onto_reference(v, nearest_on_reference(v, m_place[v]), 0);
+        any = any || !m_is_off[v];
+      }
+    return any;
   }
 
   // The quads that are folded: those with a corner that is not convex, and those whose normal is
@@ -128,6 +134,7 @@ public:
     };
     std::vector<Point_3> best_points = m.points;
     std::vector<int> best_place = m_place;
+    std::vector<char> best_is_off = m_is_off;
     auto best = badness();
     for(int round = 0; round < unfolding_rounds && !folded.empty(); ++round)
     {
@@ -148,10 +155,12 @@ public:
         best = badness();
         best_points = m.points;
         best_place = m_place;
+        best_is_off = m_is_off;
       }
     }
     m.points.swap(best_points);
     m_place.swap(best_place);
+    m_is_off.swap(best_is_off);
     for(int f = 0; f < m.number_of_faces(); ++f)
       update_face(f);
   }
@@ -185,6 +194,33 @@ private:
   static constexpr double corner_capture = 0.02;
   // Cosine of the angle between opposed normals.
   static constexpr double opposed = -0.5;
+
+  struct Nearest
+  {
+    int place;
+    Point_3 point;
+    bool at_end; // of a curve
+  };
+
+  Nearest nearest_on_reference(int v, int hint)
+  {
+    if(m_kind[v] == on_surface)
+    {
+      const Reference_surface::Location l = surface.locate(m.points[v], hint);
+      return Nearest{ l.face, l.point, false };
+    }
+    const Reference_curves::Location l = (m_kind[v] == on_feature ? features : borders).locate(m.points[v]);
+    return Nearest{ l.segment, l.point, l.at_end };
+  }
+
+  void put_onto_reference(int v, const Nearest& nearest, double guard)
+  {
+    m_is_off[v] = !is_safe(v, nearest.point, guard);
+    if(m_is_off[v])
+      return;
+    m_place[v] = nearest.place;
+    move(v, nearest.point);
+  }
 
   void collect_incident_corners()
   {
@@ -260,9 +296,9 @@ private:
 
   // Whether v may move to p: no quad around it that is convex would be so no longer, or be turned
   // over, and the worst of them would not be worse than now, unless it is good enough.
-  bool is_safe(int v, const Point_3& p) const
+  bool is_safe(int v, const Point_3& p, double guard) const
   {
-    double worst_now = m_was_unfolded[v] ? guarded_when_unfolding : guarded_jacobian;
+    double worst_now = m_was_unfolded[v] ? (std::min)(guard, guarded_when_unfolding) : guard;
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       worst_now = (std::min)(worst_now, m_jacobian[m_corner[i] / 4]);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
@@ -427,9 +463,10 @@ private:
       place = l.segment;
       q = l.point;
     }
-    if(!(energy(v, q, epsilon) < value) || (guarded && !is_safe(v, q)))
+    if(!(energy(v, q, epsilon) < value) || (guarded && !is_safe(v, q, guarded_jacobian)))
       return false;
     m_place[v] = place;
+    m_is_off[v] = 0;
     if(guarded)
       move(v, q);
     else
@@ -448,6 +485,7 @@ private:
   std::vector<int> m_first, m_corner;     // per vertex: the halfedges that leave it, border or not
   std::vector<Vertex_kind> m_kind;        // per vertex
   std::vector<int> m_place;               // per vertex: the face, or curve segment, it lies on
+  std::vector<char> m_is_off;             // per vertex: it is not there yet, as that would fold something
   std::vector<double> m_scale;            // per vertex: mean squared side around it
   std::vector<double> m_area;             // per face: the area its corners aim at
   std::vector<Vector_3> m_normal;         // per face: unit; of the quad, or of the surface while unfolding
