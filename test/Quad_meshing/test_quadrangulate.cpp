@@ -26,6 +26,7 @@
 #include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace QM = CGAL::Quad_meshing;
 namespace parameters = CGAL::parameters;
@@ -170,6 +171,34 @@ void test_optimized_structure()
     assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], tm), coarse.point(v)) < 1e-12);
 }
 
+// Of a crease across a square, the edges with an end within the radius of the face are released, and no others.
+void test_release_near_a_face()
+{
+  Mesh tm = test_meshes::make_mesh(test_meshes::grid(10, 10));
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  auto on_crease = [&](Mesh::Vertex_index v) { return std::abs(tm.point(v).x() - 0.5) < 1e-9; };
+  for(Mesh::Edge_index e : tm.edges())
+    is_feature[e] = on_crease(tm.vertex(e, 0)) && on_crease(tm.vertex(e, 1));
+  std::vector<Mesh::Face_index> seed; // one in the corner at the lower end of the crease
+  for(Mesh::Face_index f : tm.faces())
+  {
+    const auto h = tm.halfedge(f);
+    const auto c = CGAL::centroid(tm.point(tm.source(h)), tm.point(tm.target(h)), tm.point(tm.target(tm.next(h))));
+    if(seed.empty() && c.x() > 0.5 && c.x() < 0.6 && c.y() < 0.1)
+      seed.push_back(f);
+  }
+  const double none = QM::internal::release_features(tm, tm.points(), std::vector<Mesh::Face_index>(), 10., is_feature);
+  assert(none == 0);
+  const double released = QM::internal::release_features(tm, tm.points(), seed, 0.25, is_feature);
+  double left = 0;
+  for(Mesh::Edge_index e : tm.edges())
+    left += is_feature[e] ? 0.1 : 0;
+  assert(std::abs(released + left - 1) < 1e-9 && released > 0.25 && released < 0.45);
+  for(Mesh::Edge_index e : tm.edges())
+    if(on_crease(tm.vertex(e, 0)) && on_crease(tm.vertex(e, 1)))
+      assert(is_feature[e] == (CGAL::midpoint(tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1))).y() > released));
+}
+
 // At the corners of 45 degrees of this tetrahedron no map can follow all creases without fold-overs: they are released there.
 // Creases that the user has marked are not, and the answer says what became of the mesh.
 void test_released_features()
@@ -252,6 +281,7 @@ int main()
   test_invariance();
   test_directions_and_features_of_the_user();
   test_optimized_structure();
+  test_release_near_a_face();
   test_released_features();
   test_bad_input_and_stops();
   test_real_mesh();
