@@ -13,13 +13,12 @@
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
-#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
-#include <CGAL/Quad_meshing/internal/release_features.h>
+#include <CGAL/Quad_meshing/internal/Grid_map_search.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 #include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -32,7 +31,6 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
-#include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -164,8 +162,7 @@ private:
     result.input_faces = mesh.number_of_faces();
     topology = internal::surface_topology(mesh);
     result.components = topology.size();
-    if(!choose_length(result) || !prepare(result) || !compute_map(direction, visitor, result) ||
-       !extract(visitor, result))
+    if(!choose_length(result) || !prepare(result) || !make_quads(direction, visitor, result))
       return;
     if(optimize_structure && result.status == Result::VALID && result.other_faces == 0)
       restructure(visitor, result);
@@ -230,162 +227,27 @@ private:
   }
 
   template <typename Direction, typename Visitor>
-  bool compute_field(Direction& direction, Visitor& visitor, Quadrangulation_result& result)
+  bool make_quads(Direction& direction, Visitor& visitor, Quadrangulation_result& result)
   {
-    typedef Quadrangulation_result Result;
     auto directions = mesh.add_property_map<Mesh::Face_index, boost::optional<Kernel::Vector_3> >("f:direction").first;
     for(Mesh::Face_index f : mesh.faces())
       directions[f] = direction(origin[f]);
-    const Cross_field_result field =
-      smooth_cross_field(mesh, angle, period_jump, index,
-                         parameters::target_edge_length(length)
-                           .edge_is_constrained_map(is_feature)
-                           .align_boundary(align_boundary)
-                           .cross_field_method(cross_field_method)
-                           .face_direction_map(directions)
-                           .visitor(std::ref(visitor)));
+    // Feature edges that the user has marked are not for us to release.
+    internal::Grid_map_search<Quadrangulation, Visitor> search(*this, directions, length, features_are_given ? 0 : feature_length,
+                                                               visitor, result);
+    bool is_done = search.run() && extract(visitor, result);
+    // The grid of a map without fold-overs may still be too coarse for a mesh, where the surface is narrow.
+    for(double finer : { 0.95, 0.9 })
+      if(is_done && result.status == Quadrangulation_result::NOT_VALID && result.flipped_triangles == 0 && search.run_for_length(finer))
+      {
+        quad_mesh.clear_without_removing_property_maps();
+        is_done = extract(visitor, result);
+      }
     mesh.remove_property_map(directions);
-    result.singularities = field.singularities;
-    result.field_integers = field.integers;
-    result.field_energy = field.energy;
-    result.field_seconds += field.seconds;
-    if(field.status == Cross_field_status::STOPPED)
-      return fail(result, Result::STOPPED, field.message);
-    if(!field.is_valid() && field.status != Cross_field_status::EMPTY_SECTORS)
-      return fail(result, Result::FAILED, field.message);
-    return true;
+    if(result.status == Quadrangulation_result::STOPPED)
+      quad_mesh.clear_without_removing_property_maps();
+    return is_done && result.status != Quadrangulation_result::STOPPED;
   }
-
-  template <typename Visitor>
-  bool compute_map_once(double relative_length, Visitor& visitor, Quadrangulation_result& result, Integer_grid_map_result& map)
-  {
-    typedef Quadrangulation_result Result;
-    map = integer_grid_map(mesh, angle, period_jump, index, uv,
-                           parameters::target_edge_length(relative_length * length)
-                             .edge_is_constrained_map(is_feature)
-                             .align_boundary(align_boundary)
-                             .rounding_method(rounding_method)
-                             .anisotropy_weight(anisotropy_weight)
-                             .number_of_threads(number_of_threads)
-                             .visitor(std::ref(visitor)));
-    ++result.parameterization_attempts;
-    result.parameterization_seconds += map.seconds;
-    if(map.status == Integer_grid_map_result::STOPPED)
-      return fail(result, Result::STOPPED, map.message);
-    if(map.status != Integer_grid_map_result::VALID && map.status != Integer_grid_map_result::FOLDED)
-      return fail(result, Result::FAILED, map.message);
-    result.parameterization_integers = map.integers;
-    result.parameterization_energy = map.energy;
-    result.relaxed_parameterization_energy = map.relaxed_energy;
-    result.flipped_triangles = map.folded_faces.size();
-    result.target_edge_length = relative_length * length;
-    return true;
-  }
-
-  // The field and the map, anew until there is a map without fold-overs. If the integers are to blame, a slightly different
-  // length may leave room where the first one does not. Where sharp edges leave none, those nearby are released,
-  // farther and farther around. The map with the fewest fold-overs is kept.
-  template <typename Direction, typename Visitor>
-  bool compute_map(Direction& direction, Visitor& visitor, Quadrangulation_result& result)
-  {
-    const double shortest = 0.93, longest = 1.05; // within 16 percent of the number of quads
-    const int most_releases = 3;
-    Random random(random_seed);
-    Snapshot best;
-    Integer_grid_map_result map;
-    if(!compute_field(direction, visitor, result) || !compute_map_once(1, visitor, result, map))
-      return false;
-    best.take(*this, result);
-    if(!map.folded_faces.empty() && map.folded_before_rounding.empty())
-    {
-      if(!compute_map_once(random.get_double(shortest, longest), visitor, result, map))
-        return false;
-      best.take_if_better(*this, result);
-    }
-    double radius = 2 * length;
-    for(int release = 0; release < most_releases && !map.folded_faces.empty(); ++release, radius *= 2)
-    {
-      const double released = release_features(map, radius);
-      if(released == 0)
-        break;
-      result.released_feature_share += released / feature_length;
-      if(!compute_field(direction, visitor, result) || !compute_map_once(1, visitor, result, map))
-        return false;
-      best.take_if_better(*this, result);
-    }
-    best.restore(*this, result);
-    return true;
-  }
-
-  // The feature edges near the folded faces of a map. Those that the user has marked are not for us to release.
-  double release_features(const Integer_grid_map_result& map, double radius)
-  {
-    if(features_are_given)
-      return 0;
-    std::vector<Mesh::Face_index> folded;
-    for(std::size_t f : map.folded_before_rounding.empty() ? map.folded_faces : map.folded_before_rounding)
-      folded.push_back(Mesh::Face_index(static_cast<Mesh::size_type>(f)));
-    return internal::release_features(mesh, mesh.points(), folded, radius, is_feature);
-  }
-
-  // The field and the map of an attempt, with their figures.
-  struct Snapshot
-  {
-    std::vector<bool> is_feature;
-    std::vector<double> angle;
-    std::vector<int> period_jump, index;
-    std::vector<Kernel::Point_2> uv;
-    Quadrangulation_result result;
-
-    void take(const Quadrangulation& q, const Quadrangulation_result& r)
-    {
-      is_feature = values(q.is_feature, q.mesh.edges());
-      angle = values(q.angle, q.mesh.faces());
-      period_jump = values(q.period_jump, q.mesh.edges());
-      index = values(q.index, q.mesh.vertices());
-      uv = values(q.uv, q.mesh.halfedges());
-      result = r;
-    }
-
-    void take_if_better(const Quadrangulation& q, const Quadrangulation_result& r)
-    {
-      if(r.flipped_triangles < result.flipped_triangles)
-        take(q, r);
-    }
-
-    // The times are those of all attempts.
-    void restore(Quadrangulation& q, Quadrangulation_result& r) const
-    {
-      assign(q.is_feature, q.mesh.edges(), is_feature);
-      assign(q.angle, q.mesh.faces(), angle);
-      assign(q.period_jump, q.mesh.edges(), period_jump);
-      assign(q.index, q.mesh.vertices(), index);
-      assign(q.uv, q.mesh.halfedges(), uv);
-      const Quadrangulation_result last = r;
-      r = result;
-      r.field_seconds = last.field_seconds;
-      r.parameterization_seconds = last.parameterization_seconds;
-      r.parameterization_attempts = last.parameterization_attempts;
-    }
-
-  private:
-    template <typename Map, typename Range>
-    static std::vector<typename Map::value_type> values(const Map& map, const Range& range)
-    {
-      std::vector<typename Map::value_type> result;
-      for(auto i : range)
-        result.push_back(map[i]);
-      return result;
-    }
-
-    template <typename Map, typename Range>
-    static void assign(Map& map, const Range& range, const std::vector<typename Map::value_type>& values)
-    {
-      std::size_t k = 0;
-      for(auto i : range)
-        map[i] = values[k++];
-    }
-  };
 
   template <typename Visitor>
   bool extract(Visitor& visitor, Quadrangulation_result& result)

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_FIELDS_FEATURE_EDGES_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Crease_graph.h>
+#include <CGAL/Quad_meshing/Fields/internal/merge_narrow_patches.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -40,7 +41,7 @@ struct Feature_edges_result
   std::size_t number_of_dropped_edges = 0;
   /// The total length of those.
   double dropped_length = 0;
-  /// The number of pieces that were dropped: whole components of the graph of sharp edges, and dangling branches.
+  /// The number of pieces that were dropped: whole components of the graph of sharp edges, dangling branches, and sides of narrow patches.
   std::size_t number_of_dropped_pieces = 0;
 };
 
@@ -51,10 +52,14 @@ struct Feature_edges_result
 
 An edge is sharp if the normals of its two faces differ by at least `angle_in_degrees`. On scanned surfaces this
 finds hundreds of short creases that are noise, and each of them would force the quads around it. With `l` for the target
-edge length, the following pieces of the graph of sharp edges are dropped, repeatedly:
+edge length, a patch of the surface between sharp edges that is narrower than `l / 4` (twice its area over its perimeter) is joined to the
+neighbor that it bends least to: of the two creases along a sliver one is left. Then the following pieces of the
+graph of sharp edges are dropped, repeatedly:
 - branches that end freely and are shorter than `1.5 l`;
 - components with a free end that are shorter than `25 l`, components without one (closed curves) that are shorter than `5 l`;
-- components that zigzag: the mean ratio of chord to arc over pieces of arc length `2 l` is below 0.85.
+- components that zigzag: the mean ratio of chord to arc over pieces of arc length `2 l` is below 0.85;
+- components whose chains between two nodes (vertices with other than two sharp edges) have a mean length below `1.5 l`: quads of
+  that size cannot follow them.
 
 Border edges are not marked; a crease that ends on the border does not end freely.
 
@@ -102,9 +107,17 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
   Polygon_mesh_processing::detect_sharp_edges(const_cast<TriangleMesh&>(tm), angle_in_degrees, is_sharp,
                                               parameters::vertex_point_map(vpm).geom_traits(gt));
 
+  // The patches are narrow that a grid of twice the density could not follow either.
+  std::vector<edge_descriptor> sharp_edges;
+  for(edge_descriptor e : edges(tm))
+    if(is_border(e, tm))
+      put(is_sharp, e, false);
+    else if(get(is_sharp, e))
+      sharp_edges.push_back(e);
+  result.number_of_dropped_pieces = internal::merge_narrow_patches(tm, vpm, target_edge_length / 4, is_sharp);
+
   auto vim = get_initialized_vertex_index_map(tm, np);
   internal::Crease_graph creases(vertices(tm).size());
-  std::vector<edge_descriptor> sharp_edges;
   for(vertex_descriptor v : vertices(tm))
   {
     const auto& p = get(vpm, v);
@@ -116,18 +129,16 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
     if(is_border(e, tm))
       creases.is_held[a] = creases.is_held[b] = true;
     else if(get(is_sharp, e))
-    {
       creases.add_edge(static_cast<int>(a), static_cast<int>(b));
-      sharp_edges.push_back(e);
-    }
   }
-  result.number_of_dropped_pieces = creases.drop_noise(target_edge_length);
-  for(std::size_t i = 0; i < sharp_edges.size(); ++i)
+  result.number_of_dropped_pieces += creases.drop_noise(target_edge_length);
+  int i = 0; // in the graph
+  for(edge_descriptor e : sharp_edges)
   {
-    const double length = creases.length(static_cast<int>(i));
-    if(creases.is_kept[i])
+    const double length = creases.distance(static_cast<int>(get(vim, source(e, tm))), static_cast<int>(get(vim, target(e, tm))));
+    if(get(is_sharp, e) && creases.is_kept[i++])
     {
-      put(is_feature, sharp_edges[i], true);
+      put(is_feature, e, true);
       ++result.number_of_edges;
       result.length += length;
     }

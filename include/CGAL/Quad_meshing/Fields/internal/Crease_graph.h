@@ -43,10 +43,9 @@ public:
     incident[w].push_back(e);
   }
 
-  double length(int e) const
-  {
-    return CGAL::approximate_sqrt((points[ends[e][0]] - points[ends[e][1]]).squared_length());
-  }
+  double distance(int v, int w) const { return CGAL::approximate_sqrt((points[v] - points[w]).squared_length()); }
+
+  double length(int e) const { return distance(ends[e][0], ends[e][1]); }
 
   // Drops branches and components until nothing changes; returns the number of pieces that were dropped.
   std::size_t drop_noise(double quad_edge_length)
@@ -55,7 +54,7 @@ public:
       return 0;
     const double shortest_branch = 1.5 * quad_edge_length;
     const double shortest_open = 25 * quad_edge_length, shortest_closed = 5 * quad_edge_length;
-    const double least_straightness = 0.85;
+    const double least_straightness = 0.85, shortest_mean_chain = 1.5 * quad_edge_length;
     std::size_t dropped = 0;
     while(drop_short_branches(shortest_branch, dropped))
       ;
@@ -74,7 +73,8 @@ public:
           ends_freely = ends_freely || (degree(v) == 1 && !is_held[v]);
       }
       if(total < (ends_freely ? shortest_open : shortest_closed) ||
-         straightness(component, 2 * quad_edge_length) < least_straightness)
+         straightness(component, 2 * quad_edge_length) < least_straightness ||
+         mean_chain_length(component) < shortest_mean_chain)
       {
         for(int e : component)
           is_kept[e] = false;
@@ -104,7 +104,7 @@ private:
     const int start = v;
     std::vector<int> result(1, e);
     v = other_end(e, v);
-    while(v != start && degree(v) == 2 && !is_held[v])
+    while(v != start && !is_node(v))
     {
       for(int f : incident[v])
         if(is_kept[f] && f != result.back())
@@ -171,6 +171,22 @@ private:
     return edges;
   }
 
+  bool is_node(int v) const { return degree(v) != 2 || is_held[v]; }
+
+  // Between nodes; the length of a component without nodes, a closed curve.
+  double mean_chain_length(const std::vector<int>& component) const
+  {
+    double total = 0;
+    int ends_at_nodes = 0;
+    for(int e : component)
+    {
+      total += length(e);
+      for(int v : ends[e])
+        ends_at_nodes += is_node(v);
+    }
+    return ends_at_nodes == 0 ? total : 2 * total / ends_at_nodes;
+  }
+
   // The mean, over pieces of the chains of a component with the given arc length, of chord to arc.
   double straightness(const std::vector<int>& component, double arc) const
   {
@@ -202,7 +218,7 @@ private:
     bool has_nodes = false;
     for(int e : component)
       for(int v : ends[e])
-        if(degree(v) != 2 || is_held[v])
+        if(is_node(v))
         {
           has_nodes = true;
           measure(v, chain(v, e));

@@ -105,7 +105,7 @@ private:
     {
       // More make the start smoother, but take longer, and the search ends no lower.
       const int clusters = 6000;
-      if(!Representation_field(m_problem, clusters)(field.angle))
+      if(!Representation_field(m_problem, clusters, !polished)(field.angle))
         return Cross_field_status::NUMERICAL_FAILURE;
       round_jumps(m_problem, field);
     }

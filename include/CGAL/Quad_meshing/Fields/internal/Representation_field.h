@@ -27,9 +27,12 @@ namespace internal {
 // and Schroeder 2013.
 //
 // A cross is represented by z = exp(4 i angle), which does not know which of its four directions is
-// the first; the energy, the sum of |exp(4 i kappa) z_i - z_j|^2, is quadratic. Where angles are given, their
+// the first; the energy, the sum of w |exp(4 i kappa) z_i - z_j|^2 over the edges, is quadratic. Where angles are given, their
 // harmonic extension solves one linear system; a component without any takes the eigenvector of the
 // smallest eigenvalue, by inverse iteration.
+//
+// With all weights one, the energy is that of the period jumps (thesis 8.2). With w the length of an edge over the distance of
+// the two centroids from each other across it, it approaches that of the surface, whatever the triangles are like.
 //
 // The field is a start for a local search, so it need not be exact: it is computed for clusters of
 // faces, in each of which it is parallel along a tree (the Galerkin method), and then smoothed on the faces.
@@ -37,10 +40,14 @@ class Representation_field
 {
 public:
   // With at least as many clusters as faces the field is exact.
-  Representation_field(const Field_problem& problem, int number_of_clusters)
+  Representation_field(const Field_problem& problem, int number_of_clusters, bool has_surface_weights)
     : m_problem(problem), m_mesh(problem.mesh)
     , m_cluster_size((std::max)(1, problem.mesh.number_of_faces() / number_of_clusters))
-  {}
+    , m_weight(problem.mesh.number_of_edges(), 1.)
+  {
+    if(has_surface_weights)
+      set_surface_weights();
+  }
 
   // Sets the angles of all faces. Returns false if a factorization fails.
   bool operator()(std::vector<double>& angle)
@@ -58,6 +65,27 @@ public:
 private:
   typedef std::complex<double> Complex;
   typedef Eigen::Matrix<Complex, Eigen::Dynamic, 1> Vector;
+
+  // The weight of two equilateral triangles is scaled to one.
+  void set_surface_weights()
+  {
+    // Needles, whose centroids nearly coincide, and edges shorter than all the others must not outweigh everything.
+    const double greatest = 10, least = 0.1;
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+    {
+      if(!m_problem.is_inner(e))
+        continue;
+      const double areas = twice_area(m_problem.first_face(e)) + twice_area(m_problem.second_face(e));
+      const double squared_length = m_mesh.vector(m_mesh.halfedge_of_edge[e]).squared_length();
+      m_weight[e] = areas * greatest > std::sqrt(3.) * squared_length
+        ? (std::max)(least, std::sqrt(3.) * squared_length / areas) : greatest;
+    }
+  }
+
+  double twice_area(int f) const
+  {
+    return std::sqrt(CGAL::cross_product(m_mesh.vector(3 * f), m_mesh.vector(3 * f + 1)).squared_length());
+  }
 
   // exp(4 i kappa) across halfedge h, from its face to the opposite one.
   Complex transport(int h) const
@@ -99,7 +127,7 @@ private:
   bool solve_on_clusters()
   {
     // Keeps the matrix regular where a field without any turning exists (the eigenvalue is then
-    // zero); all weights being one, it is far below every other eigenvalue that matters.
+    // zero); all weights being about one, it is far below every other eigenvalue that matters.
     const double regularization = 1e-8;
     // The convergence is geometric with the ratio of the two smallest eigenvalues.
     const int inverse_iterations = 12;
@@ -116,22 +144,23 @@ private:
       const int f = m_problem.first_face(e), g = m_problem.second_face(e);
       const int i = m_cluster[f], j = m_cluster[g];
       const Complex w = transport(m_mesh.halfedge_of_edge[e]) * m_phase[f], v = m_phase[g];
+      const double weight = m_weight[e];
       if(i == j)
       {
-        if(i != -1) entries.emplace_back(i, i, std::norm(w - v));
+        if(i != -1) entries.emplace_back(i, i, weight * std::norm(w - v));
         continue;
       }
-      if(i != -1) entries.emplace_back(i, i, 1.);
-      if(j != -1) entries.emplace_back(j, j, 1.);
+      if(i != -1) entries.emplace_back(i, i, weight);
+      if(j != -1) entries.emplace_back(j, j, weight);
       if(i != -1 && j != -1)
       {
-        if(i < j) entries.emplace_back(j, i, -std::conj(v) * w);
-        else      entries.emplace_back(i, j, -std::conj(w) * v);
+        if(i < j) entries.emplace_back(j, i, -weight * std::conj(v) * w);
+        else      entries.emplace_back(i, j, -weight * std::conj(w) * v);
       }
       else if(i != -1)
-        given[i] += std::conj(w) * std::polar(1., 4 * m_problem.given_angle[g]);
+        given[i] += weight * std::conj(w) * std::polar(1., 4 * m_problem.given_angle[g]);
       else
-        given[j] += std::conj(v) * w * std::polar(1., 4 * m_problem.given_angle[f]);
+        given[j] += weight * std::conj(v) * w * std::polar(1., 4 * m_problem.given_angle[f]);
     }
     Eigen::SparseMatrix<Complex> a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
@@ -181,9 +210,9 @@ private:
     if(m_cluster_size == 1)
       return;
     const int sweeps = 20;
-    std::vector<Complex> across(m_mesh.number_of_edges());
+    std::vector<Complex> across(m_mesh.number_of_edges()); // weighted
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      across[e] = transport(m_mesh.halfedge_of_edge[e]);
+      across[e] = m_weight[e] * transport(m_mesh.halfedge_of_edge[e]);
     for(int sweep = 0; sweep < sweeps; ++sweep)
       for(int i = 0; i < nf; ++i)
       {
@@ -191,7 +220,7 @@ private:
         if(m_problem.constrained[f])
           continue;
         Complex sum = 0.;
-        int degree = 0;
+        double degree = 0;
         for(int h = 3 * f; h < 3 * f + 3; ++h)
         {
           if(m_mesh.opposite[h] == -1)
@@ -199,16 +228,17 @@ private:
           const int e = m_mesh.edge_of[h];
           const Complex& w = across[e];
           sum += (m_mesh.halfedge_of_edge[e] == h ? std::conj(w) : w) * m_z[m_mesh.opposite[h] / 3];
-          ++degree;
+          degree += m_weight[e];
         }
         if(degree > 0)
-          m_z[f] = sum / static_cast<double>(degree);
+          m_z[f] = sum / degree;
       }
   }
 
   const Field_problem& m_problem;
   const Indexed_triangle_mesh& m_mesh;
   const int m_cluster_size;
+  std::vector<double> m_weight;             // per edge
   std::vector<int> m_cluster;               // per face, -1 if its angle is given
   std::vector<Complex> m_phase;             // per face: z = phase * z of the cluster
   std::vector<int> m_component_of_cluster;

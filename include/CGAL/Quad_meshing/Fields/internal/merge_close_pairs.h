@@ -17,6 +17,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -24,6 +25,22 @@
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
+
+// How many quads fit into every sector: four into a closed one, and into one between aligned edges what its angle says. Not a number
+// where a border without alignment leaves the number free.
+inline std::vector<double> fitting_quads(const Field_problem& problem)
+{
+  const Field_sectors& sectors = problem.sectors;
+  std::vector<double> result(sectors.number_of_sectors(), 0.);
+  for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
+    result[sectors.of_corner[h]] += problem.frames.corner_angle(h) / quarter_turn;
+  for(int s = 0; s < sectors.number_of_sectors(); ++s)
+    if(sectors.closed[s])
+      result[s] = 4;
+    else if(!sectors.bounded[s])
+      result[s] = std::numeric_limits<double>::quiet_NaN();
+  return result;
+}
 
 // Two opposite singularities, and the halfedges that lead from the one that lacks quads to the one that has too many, last
 // one first, over vertices without aligned edges.
@@ -34,10 +51,13 @@ struct Singularity_pair
   std::vector<int> path;
 };
 
+// An excess from here on is closer to one quad than to none.
+const double one_quad_too_many = 0.75;
+
 // Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than that in
 // space, which is what a map cannot tell apart, on a path not much longer.
-inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads, int sector, double reach,
-                                std::vector<Singularity_pair>& pairs)
+inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads, const std::vector<double>& fitting,
+                                int sector, double reach, std::vector<Singularity_pair>& pairs)
 {
   // A path along edges of equilateral triangles is up to 2/sqrt(3) times as long as the way it stands for.
   const double detour = 1.2;
@@ -58,20 +78,21 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
     if(top.first > reached[s].first)
       continue;
     const double straight = (m.points[sectors.vertex[s]] - m.points[sectors.vertex[sector]]).squared_length();
-    if(quads[s] > 4 && straight < reach * reach)
+    if(quads[s] - fitting[s] > one_quad_too_many && straight < reach * reach)
     {
       Singularity_pair pair = { top.first, sector, s, std::vector<int>() };
       for(int h = reached[s].second; h != -1; h = reached[sectors.of_corner[h]].second)
         pair.path.push_back(h);
       pairs.push_back(pair);
     }
+    if(s != sector && !sectors.closed[s])
+      continue;
     const int first = sectors.first_corner[s];
-    int h = first;
-    do
+    for(int h = first; h != -1 && sectors.of_corner[h] == s;)
     {
       const int t = sectors.of_corner[m.next(h)];
       const double d = top.first + std::sqrt(m.vector(h).squared_length());
-      if(d < detour * reach && sectors.closed[t])
+      if(d < detour * reach && problem.is_movable(m.edge_of[h]))
       {
         const auto found = reached.find(t);
         if(found == reached.end() || d < found->second.first)
@@ -81,32 +102,36 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
         }
       }
       h = m.next_around_source(h);
+      if(h == first)
+        break;
     }
-    while(h != first);
   }
 }
 
 // Annihilates the pairs of opposite singularities closer to each other than `reach`, nearest first: a map for quads of twice
 // this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
-// moves to the other along mesh edges; the angles follow. Singularities on aligned edges stay.
+// moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a quad more or
+// less than its angle fits.
 inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach, Sector_quads& quads,
                               Cross_field& field)
 {
+  const std::vector<double> fitting = fitting_quads(problem);
+  auto excess = [&](int s) { return quads.state()[s] - fitting[s]; };
   const int n = problem.sectors.number_of_sectors();
   bool has_changed = false;
   for(;;)
   {
     std::vector<Singularity_pair> pairs;
     for(int s = 0; s < n; ++s)
-      if(problem.sectors.closed[s] && quads.state()[s] < 4)
-        find_close_partners(problem, quads.state(), s, reach, pairs);
+      if(excess(s) < -one_quad_too_many)
+        find_close_partners(problem, quads.state(), fitting, s, reach, pairs);
     if(pairs.empty())
       break;
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Singularity_pair& a, const Singularity_pair& b) { return a.length < b.length; });
     for(const Singularity_pair& pair : pairs)
     {
-      if(quads.state()[pair.lacking] >= 4 || quads.state()[pair.abundant] <= 4)
+      if(!(excess(pair.lacking) < -one_quad_too_many && excess(pair.abundant) > one_quad_too_many))
         continue;
       for(int h : pair.path)
       {
