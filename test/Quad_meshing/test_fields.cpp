@@ -557,6 +557,50 @@ void test_close_pairs()
       }
   }
 
+  {
+    // On the border, too: a vertex there that has a quad too many and an inner one that lacks one, or the other way around.
+    const Soup shape = grid(12, 12);
+    const Mesh tm = make_mesh<Mesh>(shape);
+    const I::Indexed_triangle_mesh m =
+      I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+    I::Field_problem problem(m);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      problem.aligned[m.edge_of[h]] |= m.opposite[h] == -1;
+    problem.constrain_faces_to_aligned_edges();
+    problem.find_components();
+    problem.sectors = I::make_field_sectors(m, problem.aligned);
+    const I::Dual_laplacian laplacian(problem);
+    I::Cross_field field;
+    assert(I::Representation_field(problem, m.number_of_faces(), true)(field.angle));
+    I::round_jumps(problem, field);
+    laplacian.solve_angles(field);
+    std::vector<char> on_border(m.number_of_vertices(), 0);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      if(m.opposite[h] == -1)
+        on_border[m.source(h)] = on_border[m.target(h)] = 1;
+    int tried = 0;
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+    {
+      const double x = m.points[m.source(h)].x(), y = m.points[m.source(h)].y();
+      const bool corner = std::abs(x - 0.5) > 0.4 && std::abs(y - 0.5) > 0.4;
+      if(!on_border[m.source(h)] || on_border[m.target(h)] || corner || m.halfedge_of_edge[m.edge_of[h]] != h || tried == 20)
+        continue;
+      ++tried;
+      for(int by : { -1, 1 })
+      {
+        I::Cross_field merged = field;
+        merged.period_jump[m.edge_of[h]] += by;
+        laplacian.solve_angles(merged);
+        assert(I::field_indices(problem, merged) != I::field_indices(problem, field));
+        I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
+        I::merge_close_pairs(problem, laplacian, 0.2, quads, merged);
+        assert(I::field_indices(problem, merged) == I::field_indices(problem, field));
+        assert(std::abs(problem.energy(merged) - problem.energy(field)) < 1e-9);
+      }
+    }
+    assert(tried == 20);
+  }
+
   // On a rough sphere opposite singularities lie close together. For large quads none does.
   Field g(perturbed(icosphere(3), 0.07));
   const Result many = compute(g);

@@ -227,6 +227,42 @@ void test_feature_filter()
   assert(std::abs(r.length - 12) < 1e-9);
 }
 
+// The edges kept of a mesh made by a generator.
+std::size_t kept_edges(const test_meshes::Soup& soup, double length)
+{
+  Mesh tm = test_meshes::make_mesh(soup);
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  const QM::Feature_edges_result r = QM::detect_feature_edges(tm, 40, length, is_feature);
+  std::size_t marked = 0;
+  for(Mesh::Edge_index e : tm.edges())
+    marked += is_feature[e];
+  assert(marked == r.number_of_edges);
+  return marked;
+}
+
+// Two creases along a strip that no quad fits into become one; larger ones stay two.
+void test_narrow_patches()
+{
+  const int columns = 21, rows = 40;
+  const double chamfer = 0.02;
+  const test_meshes::Soup sheet = test_meshes::mapped(test_meshes::grid(columns, rows, columns, 4), [&](const Kernel::Point_3& p)
+  {
+    const double i = std::round(p.x());
+    return i <= 10 ? Kernel::Point_3(0.1 * i, p.y(), 0) : Kernel::Point_3(1 + chamfer, p.y(), chamfer + 0.1 * (i - 11));
+  });
+  assert(kept_edges(sheet, 0) == 2 * rows);
+  assert(kept_edges(sheet, 0.05) == 2 * rows);
+  assert(kept_edges(sheet, 0.3) == rows);
+}
+
+// Where sharp edges meet again before a quad is through, they are no lines for quads to follow.
+void test_networks_of_short_chains()
+{
+  const test_meshes::Soup crumpled = test_meshes::perturbed(test_meshes::grid(20, 20, 2, 2), 0.08);
+  assert(kept_edges(crumpled, 0.02) > 400);
+  assert(kept_edges(crumpled, 0.15) == 0);
+}
+
 struct Mapped
 {
   Mesh tm;
@@ -502,6 +538,8 @@ int main()
   test_cut_graph(test_meshes::make_mesh(test_meshes::two_components(3, 2)), { 0, 20, 60, 150 });
   test_preparation();
   test_feature_filter();
+  test_narrow_patches();
+  test_networks_of_short_chains();
   test_maps();
   test_check();
   test_separated_rounding();

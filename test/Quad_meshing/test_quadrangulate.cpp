@@ -234,6 +234,27 @@ struct Counts_stages : QM::Default_visitor
   void on_stage_end(const std::string&) { ++ended; }
 };
 
+// A tube with two quads around it would have two edges between the same vertices. A grid that is a little finer has three.
+void test_grid_too_coarse()
+{
+  const Mesh tm = test_meshes::make_mesh(test_meshes::cylinder(40, 40, false, 1, 10));
+  const double around = 2 * CGAL_PI;
+  auto run = [&](double length)
+  {
+    Mesh qm;
+    const Result r = QM::quadrangulate(tm, qm, parameters::target_edge_length(length));
+    std::cout << "tube: " << r.message << std::endl;
+    assert(r.quads == qm.number_of_faces());
+    assert(r.flipped_triangles == 0);
+    return r;
+  };
+  const Result coarse = run(around / 1.9);
+  assert(coarse.status == Result::NOT_VALID && !coarse.message.empty());
+  assert(coarse.parameterization_attempts == 3);
+  const Result finer = run(around / 2.4);
+  assert(finer.is_valid() && finer.target_edge_length < around / 2.4 && finer.target_edge_length > 0.89 * around / 2.4);
+}
+
 void test_bad_input_and_stops()
 {
   Mesh empty, qm;
@@ -283,6 +304,7 @@ int main()
   test_optimized_structure();
   test_release_near_a_face();
   test_released_features();
+  test_grid_too_coarse();
   test_bad_input_and_stops();
   test_real_mesh();
   std::cout << "done" << std::endl;

@@ -114,11 +114,10 @@ private:
 
     m_laplacian.solve_angles(field);
     Sector_quads quads(m_problem, field, m_costs, doublet_cost);
-    if(quads.number_of_empty_sectors() > 0)
-    {
-      quads.fill_empty_sectors(field);
+    // The search of the polished field finds better ways around vertices with less than three quads.
+    const int least_valence = m_options.target_edge_length > 0 && !polished ? 3 : 0;
+    if(quads.fill(field, least_valence))
       m_laplacian.solve_angles(field);
-    }
     result.initial_energy = m_problem.energy(field);
     if(!std::isfinite(result.initial_energy))
       return Cross_field_status::NUMERICAL_FAILURE;

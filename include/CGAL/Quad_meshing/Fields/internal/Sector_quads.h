@@ -47,6 +47,7 @@ public:
   void set_state(const State& s)
   {
     m_quads = s;
+    m_valence.clear();
     m_costs.resize(s.size());
     for(std::size_t i = 0; i < s.size(); ++i)
       m_costs[i] = cost_of(static_cast<int>(i), s[i]) > 0;
@@ -94,20 +95,41 @@ public:
     return n;
   }
 
-  // Gives quads to empty sectors, by changes of jumps along the cheapest paths to sectors that can
-  // spare one. What a path costs is estimated from the residuals alone; a local search that follows
-  // finds better places. Sectors of one face that no jump can reach stay empty.
-  void fill_empty_sectors(Cross_field& field)
+  // Gives quads to empty sectors and to inner vertices with less than `least_valence`, by changes of jumps along the cheapest paths to
+  // sectors that can spare one. What a path costs is estimated from the residuals alone; a local search that follows
+  // finds better places. Sectors of one face that no jump can reach stay as they are. Returns whether anything changed.
+  bool fill(Cross_field& field, int least_valence)
   {
+    bool has_changed = false;
+    set_valences();
     for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
-      while(is_empty(s, m_quads[s]) && fetch_quad(s, field))
-      {}
+      while(lacks_quads(s, m_quads[s], least_valence) && fetch_quad(s, field, least_valence))
+        has_changed = true;
+    return has_changed;
   }
 
 private:
+  void set_valences()
+  {
+    m_valence.assign(m_problem->mesh.number_of_vertices(), 0);
+    for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
+      m_valence[m_problem->sectors.vertex[s]] += m_quads[s];
+    const int any = 1 << 20; // so many quads that none is missed
+    for(int h = 0; h < m_problem->mesh.number_of_halfedges(); ++h)
+      if(m_problem->mesh.opposite[h] == -1)
+        m_valence[m_problem->mesh.source(h)] = m_valence[m_problem->mesh.target(h)] = any;
+  }
+
+  bool lacks_quads(int s, int k, int least_valence) const
+  {
+    return is_empty(s, k) || m_valence[m_problem->sectors.vertex[s]] - m_quads[s] + k < least_valence;
+  }
+
   void change(int s, int by)
   {
     m_quads[s] += by;
+    if(!m_valence.empty())
+      m_valence[m_problem->sectors.vertex[s]] += by;
     m_costs[s] = cost_of(s, m_quads[s]) > 0;
   }
 
@@ -153,7 +175,7 @@ private:
     return deficit_after > deficit_before ? std::numeric_limits<double>::infinity() : after - before;
   }
 
-  bool fetch_quad(int receiver, Cross_field& field)
+  bool fetch_quad(int receiver, Cross_field& field, int least_valence)
   {
     typedef std::pair<double, int> Entry;
     const Indexed_triangle_mesh& m = m_problem->mesh;
@@ -173,7 +195,7 @@ private:
       const int s = top.second;
       if(top.first > distance[s])
         continue;
-      if(s != receiver && !is_empty(s, m_quads[s] - 1))
+      if(s != receiver && !lacks_quads(s, m_quads[s] - 1, least_valence))
       {
         for(int t = s; t != receiver; t = m_problem->sectors.of_corner[from_halfedge[t]])
         {
@@ -211,6 +233,7 @@ private:
 
   const Field_problem* m_problem;
   State m_quads;
+  std::vector<int> m_valence; // per vertex, once it is needed: the sum of its sectors
   std::vector<char> m_costs; // per sector: whether it costs anything now
   std::vector<double> m_singularity_cost;
   double m_doublet_cost;
