@@ -255,6 +255,21 @@ void test_grid_too_coarse()
   assert(finer.is_valid() && finer.target_edge_length < around / 2.4 && finer.target_edge_length > 0.89 * around / 2.4);
 }
 
+// On a surface that is all noise at the scale of the quads there is no field to follow. That is said at once.
+void test_too_many_singularities()
+{
+  for(double angle : { 40., 180. })
+  {
+    Mesh qm;
+    const Result r = QM::quadrangulate(test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(4), 0.1)), qm,
+                                       parameters::sharpness_angle(angle));
+    std::cout << "noise: " << r.message << std::endl;
+    assert(r.status == Result::FAILED && qm.is_empty() && r.singularities > 1000 && r.parameterization_attempts == 0);
+    assert(r.released_feature_share == (r.feature_edges > 0 ? 1 : 0));
+    assert(r.message.find("singularities") != std::string::npos);
+  }
+}
+
 void test_bad_input_and_stops()
 {
   Mesh empty, qm;
@@ -305,6 +320,7 @@ int main()
   test_release_near_a_face();
   test_released_features();
   test_grid_too_coarse();
+  test_too_many_singularities();
   test_bad_input_and_stops();
   test_real_mesh();
   std::cout << "done" << std::endl;

@@ -15,11 +15,13 @@
 #include <CGAL/Quad_meshing/internal/release_features.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/optional.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -44,7 +46,8 @@ public:
   // feature_length: of the feature edges that may be released.
   Grid_map_search(Quadrangulation& quadrangulation, const Directions& directions, double length, double feature_length, Visitor& visitor,
                   Result& result)
-    : q(quadrangulation), directions(directions), length(length), feature_length(feature_length), visitor(visitor), result(result)
+    : q(quadrangulation), directions(directions), length(length), feature_length(feature_length)
+    , number_of_quads(Polygon_mesh_processing::area(quadrangulation.mesh) / (length * length)), visitor(visitor), result(result)
   {}
 
   // If the integers are to blame for fold-overs, a slightly different length may leave room where the first one does not. The other
@@ -171,7 +174,33 @@ private:
   bool attempt(Cross_field_method method)
   {
     current_method = method;
-    return (compute_field() && compute_map(1)) || (has_map() && result.status != Result::STOPPED);
+    return (compute_field() && make_room() && compute_map(1)) || (has_map() && result.status != Result::STOPPED);
+  }
+
+  // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there is hardly one
+  // to be found: then the feature edges are given up, all of them. Few singularities may be as close as they like.
+  bool make_room()
+  {
+    if(has_room())
+      return true;
+    if(feature_length > 0 && result.released_feature_share < 1)
+    {
+      for(typename Mesh::Edge_index e : q.mesh.edges())
+        q.is_feature[e] = false;
+      result.released_feature_share = 1;
+      if(!compute_field())
+        return false;
+      if(has_room())
+        return true;
+    }
+    return fail(Result::FAILED, "The cross field has " + std::to_string(result.singularities) + " singularities: too many for about " +
+                                std::to_string(std::lround(number_of_quads)) + " quads.");
+  }
+
+  bool has_room() const
+  {
+    const int few = 1000, least_quads_per_singularity = 4;
+    return result.singularities <= few || result.singularities * least_quads_per_singularity <= number_of_quads;
   }
 
   bool attempt_other_length(double relative_length)
@@ -254,7 +283,7 @@ private:
 
   Quadrangulation& q;
   const Directions& directions;
-  const double length, feature_length;
+  const double length, feature_length, number_of_quads;
   Visitor& visitor;
   Result& result;
   Attempt best;
