@@ -76,7 +76,8 @@ public:
   double target_number_of_quads = 4000;  ///< counts only where `target_edge_length` is 0
   double sharpness_angle = 40;           ///< in degrees, for the detection of feature edges
   bool align_boundary = true;            ///< whether borders become chains of quad edges
-  /// How the singularities of the field are found. The smoothest fields have the fewest, but their maps are more distorted.
+  /// How the singularities of the field are found. The smoothest fields have the fewest, but their maps are more distorted. If the
+  /// map for `REPRESENTATION` is folded over, the one for `POLISHED` is tried as well.
   Cross_field_method cross_field_method = Cross_field_method::REPRESENTATION;
   Rounding_method rounding_method = GREEDY_ROUNDING; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;          ///< the weight of lengths against directions, in (0, 1]

@@ -44,7 +44,8 @@ The result is `VALID` only if the mesh consists of quads, is a manifold by const
 has the components, Euler numbers and border loops of the input. If not, the result says why, and the best mesh that could be made, if there
 is one, is delivered all the same.
 
-Where sharp edges leave no room for a map without fold-overs, those nearby are released: the quads need not follow them there. The
+If the first map is folded over, others are tried: for a slightly different length, for another field. If the grid is too coarse for the
+surface, finer ones are. Where sharp edges leave no room for a map without fold-overs, those nearby are released: the quads need not follow them there. The
 message says what part of their length that is. Edges that `edge_is_constrained_map` marks are never released.
 
 The result depends on nothing but the input and the parameters.
@@ -94,6 +95,7 @@ The result depends on nothing but the input and the parameters.
     \cgalParamDescription{how the singularities of the cross field are found}
     \cgalParamType{`Cross_field_method`}
     \cgalParamDefault{`Cross_field_method::REPRESENTATION`: smoother fields have fewer singularities, but their maps are more distorted}
+    \cgalParamExtra{if the map for `REPRESENTATION` is folded over, the one for `POLISHED` is tried as well}
   \cgalParamNEnd
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how the integers of the map are chosen}

@@ -125,10 +125,13 @@ private:
     if(polished)
     {
       const auto go_further = [&] { return m_visitor.go_further(); };
-      m_polish(field, quads, go_further);
-      if(m_options.target_edge_length <= 0)
+      // Singularities of high index are kept from each other first, even if smoothness alone is asked for, or single changes could
+      // hardly part them.
+      const bool is_for_quads = m_options.target_edge_length > 0;
+      if(is_for_quads || quads.has_closed_sector_with_less_than(2))
+        m_polish(field, quads, go_further);
+      if(!is_for_quads)
       {
-        // Singularities of high index were kept from each other so far, or single changes could hardly part them.
         quads = Sector_quads(m_problem, field, m_costs, 0.);
         m_polish(field, quads, go_further);
       }

@@ -87,6 +87,14 @@ public:
                            [&] { change_jump(e, -by); change_jump(e2, -by2); });
   }
 
+  bool has_closed_sector_with_less_than(int k) const
+  {
+    for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
+      if(m_problem->sectors.closed[s] && m_quads[s] < k)
+        return true;
+    return false;
+  }
+
   int number_of_empty_sectors() const
   {
     int n = 0;
