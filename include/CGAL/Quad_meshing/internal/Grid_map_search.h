@@ -194,12 +194,12 @@ private:
         return true;
     }
     return fail(Result::FAILED, "The cross field has " + std::to_string(result.singularities) + " singularities: too many for about " +
-                                std::to_string(std::lround(number_of_quads)) + " quads.");
+                                std::to_string(std::lround(number_of_quads)) + " quads. More quads may help.");
   }
 
   bool has_room() const
   {
-    const int few = 1000, least_quads_per_singularity = 4;
+    const int few = 1200, least_quads_per_singularity = 4;
     return result.singularities <= few || result.singularities * least_quads_per_singularity <= number_of_quads;
   }
 
