@@ -7,8 +7,8 @@
 // Author(s)     : The Quad_meshing authors
 
 // The cost of the analysis, the smoothing, the optimization and the grid-preserving operators, beside what it costs to
-// copy the mesh into flat arrays; coarse layouts beside the removal of helices. Every random operator is checked: a pure quad mesh of the same topology with the
-// same number of irregular vertices of each valence.
+// copy the mesh into flat arrays; coarse layouts beside the removal of helices. Every random operator is checked: a pure quad
+// mesh of the same topology with the same number of irregular vertices of each valence.
 //
 //   bench_structure [number of random operators, default 90000] [seed, default 1]
 

@@ -19,7 +19,6 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,12 +34,9 @@ namespace {
 
 Mesh read_quad_mesh(const std::string& filename)
 {
-  if(!std::ifstream(filename))
-    throw command_line::Unusable_input(filename + ": cannot be opened");
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false)))
-    throw command_line::Unusable_input(filename + ": is not a mesh in one of the formats off, obj, ply, stl");
+  command_line::read_soup(filename, points, polygons);
   const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
   if(!defects.is_pure_quad_mesh())
     throw command_line::Unusable_input(filename + ": is not a pure quad mesh: " + defects.reasons().front());
@@ -49,11 +45,13 @@ Mesh read_quad_mesh(const std::string& filename)
   return qm;
 }
 
-// Marks the edges of a quad mesh that lie on marked edges of its reference, as far as a part of their length.
+// Marks the edges of a quad mesh that follow marked edges of its reference. An edge is a chord of what it follows, so
+// its inner points may lie farther away than its ends.
 template <typename SharpEdges>
 void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& is_sharp_in_reference, SharpEdges is_sharp)
 {
-  constexpr double nearby = 0.1;
+  // Distances as parts of the length of the edge, of its ends and of the points in between.
+  constexpr double end_distance = 0.15, inner_distance = 0.3;
   typedef std::vector<Kernel::Segment_3> Segments;
   typedef CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator> Primitive;
   Segments segments;
@@ -66,10 +64,13 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
   for(Mesh::Edge_index e : qm.edges())
   {
     const Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));
-    const double far = nearby * nearby * CGAL::squared_distance(p, q);
+    const double squared_length = CGAL::squared_distance(p, q);
     is_sharp[e] = true;
-    for(const Point_3& x : { p, q, CGAL::midpoint(p, q) })
-      is_sharp[e] = is_sharp[e] && tree.squared_distance(x) < far;
+    for(double t : { 0., 1., 0.25, 0.5, 0.75 })
+    {
+      const double nearby = t == 0 || t == 1 ? end_distance : inner_distance;
+      is_sharp[e] = is_sharp[e] && tree.squared_distance(p + t * (q - p)) < nearby * nearby * squared_length;
+    }
   }
 }
 
@@ -100,7 +101,11 @@ int main(int argc, char* argv[])
     Mesh qm = read_quad_mesh(args.positional(0));
     command_line::check_mesh_output(args.positional(1));
     auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-    const double edge_length = QM::quad_mesh_quality(qm).mean_edge_length;
+    const QM::Quad_mesh_quality quality_before = QM::quad_mesh_quality(qm);
+    if(!(quality_before.area > 0))
+      throw command_line::Unusable_input(args.positional(0) + ": its quads have no area");
+    const double edge_length = quality_before.mean_edge_length;
+    const std::size_t inverted_before = quality_before.number_of_inverted_quads;
     std::size_t dropped;
     Mesh tm;
     auto is_sharp_in_reference = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
@@ -130,12 +135,16 @@ int main(int argc, char* argv[])
       : QM::optimize_quad_structure(qm, np);
 
     command_line::write_mesh(args.positional(1), qm);
-    const bool valid = result.status == QM::Quad_structure_optimization_result::optimized
-                    && result.smoothing.quality_after.number_of_inverted_quads == 0;
-    std::cout << result.message << std::endl;
+    const std::size_t inverted = result.smoothing.quality_after.number_of_inverted_quads;
+    const bool is_optimized = result.status == QM::Quad_structure_optimization_result::optimized;
+    const bool valid = is_optimized && inverted == 0;
+    if(is_optimized)
+      std::cout << result.message << std::endl;
     if(!valid)
-      std::cerr << "optimize_quad_structure: " << result.smoothing.quality_after.number_of_inverted_quads
-                << " quads of the result are not convex" << std::endl;
+      std::cerr << "optimize_quad_structure: "
+                << (is_optimized ? "number of quads of the result that are not convex: " + std::to_string(inverted)
+                                   + ", of the input: " + std::to_string(inverted_before)
+                                 : result.message) << std::endl;
 
     const QM::Quad_mesh_structure &before = result.structure_before, &after = result.structure_after;
     QM::Flat_json json;
@@ -152,6 +161,9 @@ int main(int argc, char* argv[])
     json.set("irregular_vertices", after.number_of_irregular_vertices);
     json.set("dropped_sharp_edges", dropped);
     json.set("operators_applied", result.operators_applied);
+    json.set("inverted_quads_before", inverted_before);
+    json.set("inverted_quads_after", inverted);
+    json.set("minimal_scaled_jacobian_before", quality_before.minimal_scaled_jacobian);
     json.set("minimal_scaled_jacobian", result.smoothing.quality_after.minimal_scaled_jacobian);
     json.set("seconds", timer.time());
     if(args.has("json"))

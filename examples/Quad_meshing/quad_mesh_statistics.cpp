@@ -17,7 +17,6 @@
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -185,12 +184,9 @@ int main(int argc, char* argv[])
     if(args.value<int>("worst") < 0)
       throw command_line::Unusable_input("--worst must not be negative");
 
-    if(!std::ifstream(filename))
-      throw command_line::Unusable_input(filename + ": cannot be opened");
     std::vector<Point_3> points;
     std::vector<std::vector<std::size_t> > polygons;
-    if(!CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false)))
-      throw command_line::Unusable_input(filename + ": is not a mesh in one of the formats off, obj, ply, stl");
+    command_line::read_soup(filename, points, polygons);
     if(polygons.empty())
       throw command_line::Unusable_input(filename + ": has no faces");
 

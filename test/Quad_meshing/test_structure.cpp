@@ -20,6 +20,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
 
+#include <algorithm>
 #include <cassert>
 #include <iostream>
 #include <limits>
@@ -193,6 +194,36 @@ std::multiset<std::pair<int, int> > slow_relations(const Flat_mesh& m)
   return all;
 }
 
+// Triangles after flips of random edges, none of which makes an edge twice: a surface of the same topology.
+std::vector<std::array<std::size_t, 3> > with_random_flips(std::vector<std::array<std::size_t, 3> > triangles, int flips,
+                                                           unsigned int seed)
+{
+  CGAL::Random random(seed);
+  auto has_edge = [&](std::size_t a, std::size_t b)
+  {
+    for(const auto& t : triangles)
+      if(std::find(t.begin(), t.end(), a) != t.end() && std::find(t.begin(), t.end(), b) != t.end())
+        return true;
+    return false;
+  };
+  while(flips > 0)
+  {
+    auto& t = triangles[random.get_int(0, int(triangles.size()))];
+    std::rotate(t.begin(), t.begin() + random.get_int(0, 3), t.end());
+    for(auto& other : triangles)
+      for(int k = 0; k < 3; ++k)
+        if(other[k] == t[1] && other[(k + 1) % 3] == t[0] && !has_edge(t[2], other[(k + 2) % 3]))
+        {
+          const std::size_t a = t[0], b = t[1], c = t[2], d = other[(k + 2) % 3];
+          t = {{ c, a, d }};
+          other = {{ c, d, b }};
+          --flips;
+          k = 3;
+        }
+  }
+  return triangles;
+}
+
 void test_structure()
 {
   std::cout << "structure" << std::endl;
@@ -240,6 +271,7 @@ void test_structure()
     triangles.push_back({{ q[0], q[2], q[3] }});
   }
   const SM::Quad_soup irregular = SM::split_triangles(points, triangles);
+  const SM::Quad_soup random_base = SM::split_triangles(points, with_random_flips(triangles, 60, 4));
   SM::Quad_soup open = SM::refined(irregular, 3);
   open.quads.resize(open.quads.size() * 2 / 3);
   std::vector<std::size_t> number(open.points.size(), std::size_t(-1));
@@ -257,7 +289,7 @@ void test_structure()
     }
     used.quads.push_back(q);
   }
-  std::vector<SM::Quad_soup> soups = { irregular, SM::refined(irregular, 4), SM::cube(5), SM::rolled(9, 6, 2, true),
+  std::vector<SM::Quad_soup> soups = { irregular, SM::refined(irregular, 4), random_base, SM::refined(random_base, 3), SM::cube(5), SM::rolled(9, 6, 2, true),
                                        SM::rolled(9, 6, -1, false), SM::grid(4, 4) };
   if(QM::find_quad_mesh_defects(used.points, used.quads).is_pure_quad_mesh())
     soups.push_back(used);
@@ -292,7 +324,9 @@ void test_structure()
     }
   }
 
-  // refinement changes nothing but the sizes
+  // refinement changes nothing but the sizes: each quad of an irregular base is a patch
+  assert(structure(SM::refined(random_base, 3)).number_of_patches == structure(random_base).number_of_patches);
+  assert(structure(SM::refined(random_base, 3)).number_of_parallel_classes == structure(random_base).number_of_parallel_classes);
   assert(structure(SM::refined(irregular, 3)).number_of_patches == irregular.quads.size());
   assert(structure(SM::refined(irregular, 3)).number_of_parallel_classes == structure(irregular).number_of_parallel_classes);
 

@@ -12,7 +12,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
-#include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
 #include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -82,7 +82,7 @@ struct Gp_input
   typedef typename boost::graph_traits<QuadMesh>::face_descriptor face_descriptor;
 
   Indexed_quad_mesh_copy<QuadMesh> copy;
-  Structure_optimizer::State state;
+  Structure_state state;
   Gp_vertex_rules rules;
 
   Gp_input(const QuadMesh& qm, const NamedParameters& np)
@@ -95,8 +95,8 @@ struct Gp_input
                                       get_const_property_map(vertex_point, qm));
     const bool merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
     copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
-    state = Structure_optimizer::initial_state(copy.mesh, constrained_vertices(copy, np));
-    rules = Structure_optimizer::vertex_rules(state, merge_singularities);
+    state = initial_structure_state(copy.mesh, constrained_vertices(copy, np));
+    rules = vertex_rules(state, merge_singularities);
   }
 
   // Indices of halfedges that are not border halfedges.
@@ -269,7 +269,7 @@ dual_curve_operator(const QuadMesh& qm, typename boost::graph_traits<QuadMesh>::
   const internal::Gp_input<QuadMesh, NamedParameters> input(qm, np);
   const internal::Indexed_quad_mesh& m = input.copy.mesh;
   const internal::Gp_path path =
-    internal::Structure_optimizer::straight_path(m, input.index({ h }, qm).front(), static_cast<internal::Gp_kind>(kind));
+    internal::straight_path(m, input.index({ h }, qm).front(), static_cast<internal::Gp_kind>(kind));
   internal::Gp_legality legality(m, input.rules);
   bool allowed = internal::is_closed_gp_path(m, path) && !legality.check(path);
   if(kind != Grid_preserving_step_kind::COLLAPSE)
@@ -312,11 +312,11 @@ bool apply_grid_preserving_operator(QuadMesh& qm, const Grid_preserving_operator
   if(!internal::is_closed_gp_path(input.copy.mesh, path))
     return false;
   internal::Gp_legality legality(input.copy.mesh, input.rules);
-  internal::Structure_optimizer::State result;
+  internal::Structure_state result;
   for(const internal::Gp_step& s : path)
     if(s.kind != internal::gp_collapse && input.copy.mesh.is_feature[s.edge()])
       return false;
-  if(legality.check(path) || !internal::Structure_optimizer::execute(input.state, path, input.rules, result))
+  if(legality.check(path) || !internal::execute_operator(input.state, path, input.rules, result))
     return false;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));

@@ -10,9 +10,12 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_OPTIMIZE_QUAD_STRUCTURE_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/internal/Accepted_shape.h>
+#include <CGAL/Quad_meshing/Structure/internal/Shape_watch.h>
 #include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/Structure/internal/Structure_methods.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
 #include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
@@ -20,11 +23,8 @@
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,154 +67,62 @@ struct Quad_structure_optimization_result
 
 namespace internal {
 
-struct Structure_options
-{
-  Structure_method method = Structure_method::LAYOUT;
-  bool merge_singularities = false;
-  bool collapse_dual_curves = false;
-  std::size_t target_quads = 0;
-  std::size_t target_patches = 0;
-  unsigned int layouts = 10000;
-  unsigned int smoothing_iterations = 20;
-};
-
-// Looks for a coarse layout. Takes the best one if the smoothing leaves good quads on it, else the one with the best quads of
-// the next few; if the input has no inverted quads, these must not have any, else not many more. If there is
-// none, the mesh stays as it is. `smooth(state)` smooths and returns what has been done.
-template <typename Smooth, typename Visitor>
-void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Smooth& smooth, Visitor& visitor)
-{
-  typedef Structure_optimizer::State State;
-  // The scaled Jacobian of quads that are good, and how many more layouts are tried for it once there is one that
-  // could be taken; fewer on large meshes, as many as have together so many quads.
-  constexpr double good_jacobian = 0.2;
-  constexpr std::size_t further_layouts = 4, further_quads = 20000;
-  const std::size_t quads = optimizer.state.mesh.corners.size();
-  const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
-                           : options.collapse_dual_curves ? 1 : quads;
-  const std::size_t most_inverted = 2 * quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
-  Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
-  layout.search(static_cast<int>(options.layouts), [&] { return visitor.go_further(); }, [&](double p) { visitor.progress(p); });
-  State best;
-  std::pair<std::size_t, double> least(most_inverted + 1, 0);       // inverted quads, and minus the scaled Jacobian
-  int left = static_cast<int>((std::min)(further_layouts, further_quads / quads));
-  for(State candidate; left >= 0 && visitor.go_further() && layout.next(candidate); )
-  {
-    const Quad_mesh_quality quality = smooth(candidate).quality_after;
-    const std::pair<std::size_t, double> score(quality.number_of_inverted_quads, -quality.minimal_scaled_jacobian);
-    if(score < least)
-    {
-      least = score;
-      best = std::move(candidate);
-    }
-    if(options.smoothing_iterations == 0 || least.second <= -good_jacobian)
-      break;
-    left -= least.first <= most_inverted;
-  }
-  if(least.first <= most_inverted)
-    optimizer.set_state(std::move(best));
-}
-
-// The greedy algorithm of section 10.3.
-template <typename Visitor, typename TargetReached, typename AfterOperator>
-void remove_helices(Structure_optimizer& optimizer, Visitor& visitor, const TargetReached& target_reached,
-                    const AfterOperator& after_operator)
-{
-  const double helices = (std::max)(1., double(optimizer.score().helices));
-  auto go_further = [&] { return visitor.go_further(); };
-  // Helices that could not be removed at first get a second chance after others have gone.
-  bool gained = true;
-  while(gained && !target_reached() && visitor.go_further())
-  {
-    gained = false;
-    while(!target_reached() && optimizer.remove_next_helix(go_further))
-    {
-      gained = true;
-      after_operator();
-      visitor.progress((std::max)(0., (std::min)(1., 1 - optimizer.score().helices / helices)));
-    }
-    gained = optimizer.forget_failures() && gained;
-  }
-}
-
 // The method that is asked for, the collapses of section 10.4, and the smoothing.
 template <typename Visitor>
 Quad_structure_optimization_result
-optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_reference& reference,
+optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_reference& reference, Structure_method method,
                                 const Structure_options& options, Visitor& visitor)
 {
   typedef Quad_structure_optimization_result Result;
-  // Sweeps of smoothing between operators, which keep the positions apart, and how many of them there
-  // are at most: the cost must not grow with the number of operators.
-  constexpr unsigned int sweeps_between = 3;
-  constexpr std::size_t smoothings_between = 12;
 
   Result result;
   result.structure_before = structure_of_quad_mesh(optimizer.state.mesh);
-  Default_visitor silent;
-  std::size_t smoothed_at = 0, gap = 1, smoothings = 0;
   auto target_reached = [&]
   {
     return (options.target_quads > 0 && optimizer.state.mesh.corners.size() <= options.target_quads)
         || (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
   };
-  auto smooth = [&](Structure_optimizer::State& s)
+  Default_visitor silent;
+  auto smooth = [&](Structure_state& s, unsigned int sweeps)
   {
-    if(options.smoothing_iterations > 0)
-      return smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, options.smoothing_iterations, silent);
-    return Quad_mesh_smoothing_result();
+    return options.smoothing_iterations == 0 ? Quad_mesh_smoothing_result()
+                                             : smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, sweeps, silent);
   };
-  // The last mesh without more inverted quads than the input, to go back to.
-  const std::size_t inverted_before = quality_of_quad_mesh(optimizer.state.mesh).number_of_inverted_quads;
-  Structure_optimizer::State good = optimizer.state;
-  std::size_t operators_of_good = 0;
-  auto after_operator = [&]
+  Accepted_shape accepted;
+  if(options.smoothing_iterations > 0)
   {
-    if(options.smoothing_iterations == 0 || optimizer.operators < smoothed_at + gap)
-      return;
-    const Quad_mesh_smoothing_result smoothing =
-      smooth_indexed_quad_mesh(optimizer.state.mesh, reference, optimizer.state.is_fixed, sweeps_between, silent);
-    if(smoothing.quality_after.number_of_inverted_quads <= inverted_before)
-    {
-      good = optimizer.state;
-      operators_of_good = optimizer.operators;
-    }
-    smoothed_at = optimizer.operators;
-    if(++smoothings % smoothings_between == 0)
-      gap *= 4;
-  };
+    Structure_state input = optimizer.state;
+    accepted = Accepted_shape(smooth(input, 0), options.merge_singularities || options.collapse_dual_curves);
+  }
 
   visitor.on_stage_begin("structure");
-  if(options.method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0)
-  {
-    optimize_layout(optimizer, options, smooth, visitor);
-    good = optimizer.state;
-  }
+  if(method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0)
+    optimize_layout(optimizer, options, accepted, smooth, visitor);
   else
-    remove_helices(optimizer, visitor, target_reached, after_operator);
-  while(options.collapse_dual_curves && !target_reached() && visitor.go_further()
-        && optimizer.collapse_next_dual_curve())
-    after_operator();
+  {
+    Shape_watch<decltype(smooth)> watch(optimizer, accepted, smooth, options.smoothing_iterations);
+    remove_helices(optimizer, watch, target_reached, visitor);
+  }
+  if(options.collapse_dual_curves)
+  {
+    Shape_watch<decltype(smooth)> watch(optimizer, accepted, smooth, options.smoothing_iterations);
+    collapse_dual_curves(optimizer, watch, target_reached, visitor);
+  }
   visitor.on_stage_end("structure");
-
   result.operators_applied = optimizer.operators;
-  auto smooth_result = [&]
-  {
-    result.smoothing = smooth_indexed_quad_mesh(optimizer.state.mesh, reference, optimizer.state.is_fixed,
-                                                options.smoothing_iterations, visitor);
-    return result.smoothing.quality_after.number_of_inverted_quads <= inverted_before;
-  };
+
+  // what has been accepted stays so
+  Indexed_quad_mesh& m = optimizer.state.mesh;
+  const std::vector<Indexed_quad_mesh::Point_3> points = m.points;
   if(visitor.go_further() && options.smoothing_iterations > 0)
+    result.smoothing = smooth_indexed_quad_mesh(m, reference, optimizer.state.is_fixed, options.smoothing_iterations, visitor);
+  if(options.smoothing_iterations == 0 || !accepted.accepts(result.smoothing))
   {
-    if(!smooth_result() && operators_of_good < optimizer.operators && visitor.go_further())
-    {
-      optimizer.set_state(std::move(good));
-      result.operators_applied = operators_of_good;
-      smooth_result();
-    }
+    m.points = points;
+    result.smoothing = Quad_mesh_smoothing_result();
+    result.smoothing.quality_before = result.smoothing.quality_after = quality_of_quad_mesh(m);
+    result.smoothing.message = "The mesh has not been smoothed.";
   }
-  else
-    result.smoothing.quality_before = result.smoothing.quality_after = quality_of_quad_mesh(optimizer.state.mesh);
   if(!visitor.go_further())
   {
     result.status = Result::stopped;
@@ -223,7 +131,7 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
     result.message = "The optimization was stopped; the mesh is as it was.";
     return result;
   }
-  result.structure_after = structure_of_quad_mesh(optimizer.state.mesh);
+  result.structure_after = structure_of_quad_mesh(m);
   result.message = "The base complex has " + std::to_string(result.structure_after.number_of_patches) + " patches, "
                  + std::to_string(result.structure_before.number_of_patches) + " before; the number of helices is "
                  + std::to_string(result.structure_after.number_of_helices) + ", "
@@ -235,22 +143,18 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
   return result;
 }
 
-// Reads the named parameters of the quad mesh and optimizes it on `make_reference(copy)`.
+// Optimizes a flat copy on `make_reference(copy)` and writes it back.
 template <typename QuadMesh, typename NamedParameters, typename MakeReference>
 Quad_structure_optimization_result
 optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   typedef Quad_structure_optimization_result Result;
 
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));
-  auto ecm = edge_constraint_map(qm, np);
-  Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const Structure_method method =
+    choose_parameter(get_parameter(np, internal_np::structure_method), Structure_method::LAYOUT);
   Structure_options options;
-  options.method = choose_parameter(get_parameter(np, internal_np::structure_method), Structure_method::LAYOUT);
   options.merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
   options.collapse_dual_curves = choose_parameter(get_parameter(np, internal_np::collapse_dual_curves), false);
   options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), 0);
@@ -258,27 +162,23 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
   options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10000);
   options.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations), 20);
 
-  Result result;
-  if(!is_quad_mesh(qm) || faces(qm).begin() == faces(qm).end())
-  {
-    result.status = Result::not_a_quad_mesh;
-    result.message = "The mesh has faces that are not quads, or no faces.";
-    return result;
-  }
-  const Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, ecm);
-  Smoothing_reference reference = make_reference(copy.mesh);
-  if(reference.surface.empty())
-  {
-    result.status = Result::empty_reference;
-    result.message = "The reference surface has no triangle of positive area.";
-    return result;
-  }
-
-  Structure_optimizer optimizer(copy.mesh, constrained_vertices(copy, np), options.merge_singularities);
-  result = optimize_indexed_quad_structure(optimizer, reference, options, visitor);
-  if(result.status == Result::optimized)
-    write_quad_mesh(optimizer.state.mesh, optimizer.state.vertex_origin, optimizer.state.face_origin, copy, qm, vpm, ecm);
-  return result;
+  return work_on_quad_mesh_copy<Result>(qm, np, make_reference,
+    [&](const auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, auto& visitor, auto vpm, auto ecm)
+    {
+      if(copy.mesh.number_of_faces() == 0)
+      {
+        Result result;
+        result.status = Result::not_a_quad_mesh;
+        result.message = "The mesh has no faces.";
+        return result;
+      }
+      Structure_optimizer optimizer(copy.mesh, is_fixed, options.merge_singularities);
+      const Result result = optimize_indexed_quad_structure(optimizer, reference, method, options, visitor);
+      const Structure_state& s = optimizer.state;
+      if(result.status == Result::optimized)
+        write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
+      return result;
+    });
 }
 
 } // namespace internal
@@ -295,7 +195,7 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is replaced by several parallel ones, so that there
  * are about as many quads as before, or fewer if that gives fewer helices. The layout is chosen by its number of
  * helices, by its number of patches and by how well the lengths of the quads fit to those of the input. A layout on which
- * the smoothing leaves inverted quads is given up for another one; if none is better than the input, the input stays.
+ * the smoothing leaves bad quads is given up for another one; if there is none with good quads, the input stays.
  *
  * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest winding
  * number that can be removed with a gain first, in several of its columns and in both directions, one operator for each unit of
@@ -305,8 +205,9 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * percent of them remain. A mesh without irregular vertices is always treated in this way.
  *
  * In both, constrained edges, the boundary and the irregular vertices are kept, and the positions are smoothed on the
- * reference (see `smooth_quad_mesh()`). If the input has no inverted quads, the result has none either, unless nothing is
- * smoothed.
+ * reference (see `smooth_quad_mesh()`). The result does not have more inverted or folded quads than the input, and its minimal
+ * scaled Jacobian is at least half as large, unless nothing is smoothed. With `merge_singularities` or `collapse_dual_curves` this
+ * does not hold for the Jacobian.
  *
  * \tparam QuadMesh a model of `MutableFaceGraph` and `FaceListGraph`
  * \tparam TriangleMesh a model of `FaceListGraph`

@@ -68,12 +68,6 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, c
     result.message = "The mesh has no faces.";
     return result;
   }
-  if(reference.surface.empty())
-  {
-    result.status = Result::empty_reference;
-    result.message = "The reference surface has no triangle of positive area.";
-    return result;
-  }
 
   const std::vector<Indexed_quad_mesh::Point_3> input_points = m.points;
   visitor.on_stage_begin("smoothing");
@@ -115,37 +109,25 @@ template <typename QuadMesh, typename NamedParameters, typename MakeReference>
 Quad_mesh_smoothing_result
 smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
-  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_property_map(vertex_point, qm));
   const unsigned int number_of_iterations =
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 20);
-  Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
-  Quad_mesh_smoothing_result result;
-  if(!is_quad_mesh(qm))
-  {
-    result.status = Quad_mesh_smoothing_result::not_a_quad_mesh;
-    result.message = "The mesh has faces that are not quads.";
-    return result;
-  }
-
-  Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
-  const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
-  Smoothing_reference reference = make_reference(copy.mesh);
-  result = smooth_indexed_quad_mesh(copy.mesh, reference, constrained_vertices(copy, np), number_of_iterations, visitor);
-
-  for(std::size_t i = 0; i < copy.vertices.size(); ++i)
-    if(copy.mesh.points[i] != before[i])
-      put(vpm, copy.vertices[i],
-          Point(copy.mesh.points[i].x(), copy.mesh.points[i].y(), copy.mesh.points[i].z()));
-  return result;
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 20);
+  return work_on_quad_mesh_copy<Quad_mesh_smoothing_result>(qm, np, make_reference,
+    [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, auto& visitor, auto vpm, auto)
+    {
+      const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
+      const Quad_mesh_smoothing_result result =
+        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, number_of_iterations, visitor);
+      for(std::size_t i = 0; i < copy.vertices.size(); ++i)
+      {
+        const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
+        if(p != before[i])
+          put(vpm, copy.vertices[i], Point(p.x(), p.y(), p.z()));
+      }
+      return result;
+    });
 }
 
 } // namespace internal

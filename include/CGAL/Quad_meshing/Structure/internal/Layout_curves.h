@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Structure/internal/Arc_subdivision.h>
 #include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
 
@@ -29,6 +30,10 @@ namespace internal {
 class Layout_curves
 {
 public:
+  // Largest distance of a chord of a feature from it, in edges of the mesh that is made, and how much of one
+  // may be missing in the number of chords that this takes.
+  static constexpr double feature_distance = 0.1, spared_chord = 0.2;
+
   std::vector<int> of_edge;             // per edge of the subdivision of the arcs
   std::vector<double> edge_length;      // per curve: mean length of the edges that it crosses, in edges of the input
   double distortion = 0;                // mean square of what the lengths differ from it, and of the lengths of the
@@ -61,6 +66,7 @@ public:
     }
 
     edge_length.assign(crossings.size(), 0);
+    m_bend.assign(crossings.size(), 0);
     for_each_edge([&](int curve, double l) { edge_length[curve] += l / crossings[curve]; });
     double squared = 0;
     for_each_edge([&](int curve, double l)
@@ -72,6 +78,26 @@ public:
       if(length[a] == 0)
         distortion += double(complex.arcs[a].length()) * complex.arcs[a].length();
     distortion /= squared;
+  }
+
+  // Asks for as many parallel curves as it takes to follow the features of the input where they bend.
+  void follow(const Feature_bends& bends)
+  {
+    for_each_feature_edge(bends, [&](int curve, double, double bend) { m_bend[curve] = (std::max)(m_bend[curve], bend); });
+  }
+
+  // How far features are from the edges when each curve is replaced by so many: by how much their distance exceeds
+  // the largest one, in units of this; mean over the length of the features.
+  double feature_misfit(const Feature_bends& bends, const std::vector<int>& multiplicity) const
+  {
+    double sum = 0, length = 0;
+    for_each_feature_edge(bends, [&](int curve, double l, double bend)
+    {
+      const double distance = bend / (8 * multiplicity[curve] * multiplicity[curve]);
+      sum += l * (std::max)(0., distance / feature_distance - 1);
+      length += l;
+    });
+    return length > 0 ? sum / length : 0;
   }
 
   int number_of_curves() const { return static_cast<int>(edge_length.size()); }
@@ -92,8 +118,12 @@ public:
   std::vector<int> multiplicities(double aim) const
   {
     std::vector<int> result;
-    for(double l : edge_length)
-      result.push_back((std::max)(1, static_cast<int>(std::floor(l / aim + 0.5))));
+    for(std::size_t c = 0; c < edge_length.size(); ++c)
+    {
+      const double chords = std::sqrt(m_bend[c] / (8 * feature_distance * aim));
+      result.push_back((std::max)((std::max)(1, static_cast<int>(std::floor(edge_length[c] / aim + 0.5))),
+                                  static_cast<int>(std::ceil(chords - spared_chord))));
+    }
     return result;
   }
 
@@ -107,7 +137,7 @@ public:
     double aim = first_aim;
     while(aim < 2 * longest && !fits(lengths(aim)))
       aim *= coarser;
-    std::vector<int> multiplicity = multiplicities(aim);
+    std::vector<int> multiplicity = aim < 2 * longest ? multiplicities(aim) : std::vector<int>(edge_length.size(), 1);
     std::vector<int> order(multiplicity.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int c, int d)
@@ -134,8 +164,23 @@ private:
         f(of_edge[e], double(m_quantization.complex().arcs[a].length()) / m_length[a]);
   }
 
+  // Calls f(curve, length, bend) for the edges of features.
+  template <typename Function>
+  void for_each_feature_edge(const Feature_bends& bends, const Function& f) const
+  {
+    for(std::size_t a = 0, e = 0; a < m_length.size(); e += m_length[a], ++a)
+      if(!bends.is_straight(a))
+        for(int i = 0; i < m_length[a]; ++i)
+        {
+          const double step = double(m_quantization.complex().arcs[a].length()) / m_length[a];
+          const double from = i * step, to = i + 1 == m_length[a] ? m_quantization.complex().arcs[a].length() : (i + 1) * step;
+          f(of_edge[e + i], bends.length(a, from, to), bends.bend(a, from, to));
+        }
+  }
+
   const Layout_quantization& m_quantization;
   const std::vector<int>& m_length;
+  std::vector<double> m_bend;           // per curve: largest bend of a feature edge that it crosses and has to follow
 };
 
 } // namespace internal

@@ -9,13 +9,14 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H
 
+#include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
-#include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 
 #include <algorithm>
@@ -30,8 +31,6 @@ namespace internal {
 class Layout_optimizer
 {
 public:
-  typedef Structure_optimizer::State State;
-
   // The lengths of the edges, in edges of the input, between which one is chosen, and the factor between two trials.
   static constexpr double least_edge_length = 0.5, largest_edge_length = 1000, finer = 0.95;
 
@@ -39,10 +38,10 @@ public:
   static constexpr int scales_between = 4;
 
   // `target_quads` is at most the number of quads of the input.
-  Layout_optimizer(const State& input, bool merge_singularities, std::size_t target_quads, std::size_t target_patches)
+  Layout_optimizer(const Structure_state& input, bool merge_singularities, std::size_t target_quads, std::size_t target_patches)
     : m_input(input), m_merge_singularities(merge_singularities), m_target_quads(static_cast<int>(target_quads)),
       m_target_patches(target_patches), m_structure(structure_of_quad_mesh(input.mesh)),
-      m_complex(input.mesh, input.is_fixed)
+      m_complex(input.mesh, input.is_fixed), m_bends(input.mesh, m_complex)
   {
     for(int h = 0; h < input.mesh.number_of_halfedges(); ++h)
       m_border_edges += input.mesh.is_border(h);
@@ -55,7 +54,7 @@ public:
     if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
       return;
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
-    Layout_search search(m_input.mesh, m_structure, *m_quantization, m_input.is_fixed);
+    Layout_search search(m_input.mesh, m_structure, *m_quantization, m_bends, m_input.is_fixed);
     const double quads_per_irregular_vertex =
       m_merge_singularities ? Layout_search::quads_when_merging : Layout_search::quads_per_irregular_vertex;
     const int quads = static_cast<int>((std::min)(quads_per_irregular_vertex * m_structure.number_of_irregular_vertices,
@@ -78,7 +77,7 @@ public:
 
   // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
   // coarser ones before finer ones; false if there is none that is better than the input.
-  bool next(State& result)
+  bool next(Structure_state& result)
   {
     while(!m_layouts.empty())
     {
@@ -91,9 +90,10 @@ public:
   }
 
 private:
-  bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, State& result) const
+  bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result) const
   {
-    const Layout_curves curves(quantization, layout);
+    Layout_curves curves(quantization, layout);
+    curves.follow(m_bends);
     std::vector<int> length = curves.densest_lengths(least_edge_length, [&](const std::vector<int>& l)
     {
       return fits(quantization, l) && quantization.number_of_quads(l) <= m_target_quads;
@@ -147,7 +147,7 @@ private:
   }
 
   // The vertices that are nodes of the input stay these; all others are any of the input that are left over.
-  void set_state(const Layout_realization& r, State& result) const
+  void set_state(const Layout_realization& r, Structure_state& result) const
   {
     std::vector<char> is_used(m_input.mesh.number_of_vertices(), 0);
     for(int v : r.origin)
@@ -169,12 +169,13 @@ private:
     result.face_of.clear();
   }
 
-  const State& m_input;
+  const Structure_state& m_input;
   bool m_merge_singularities;
   int m_target_quads;
   std::size_t m_target_patches;
   Quad_mesh_structure m_structure;
   Motorcycle_complex m_complex;
+  Feature_bends m_bends;
   std::unique_ptr<Layout_quantization> m_quantization;
   std::vector<std::vector<int> > m_layouts;
   long m_border_edges = 0;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Structure/internal/Base_complex_arrays.h>
 #include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
 #include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
 #include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
@@ -34,9 +35,9 @@ class Layout_cost
 {
 public:
   // Weights against the number of patches, as a part of what there is at first: of the number of helices without and with
-  // crossings, as parts of those of the input, of the distortion, and of the part of the quads of the input that is
-  // missing when the curves are multiplied.
-  static constexpr double helix_weight = 8, crossing_weight = 0.5, distortion_weight = 1, missing_weight = 1.5;
+  // crossings, as parts of those of the input, of the distortion, of how far features are not followed, and of the part of
+  // the quads of the input that is missing when the curves are multiplied.
+  static constexpr double helix_weight = 8, crossing_weight = 0.5, distortion_weight = 1, feature_weight = 5, missing_weight = 1.5;
   // Numbers of helices below which one of them does not weigh more.
   static constexpr int few_helices = 5;
   // Part of the patches of the input above which more of them cost so much more.
@@ -45,8 +46,8 @@ public:
   static constexpr double forbidden = (std::numeric_limits<double>::max)();
 
   Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_quantization& quantization,
-              const std::vector<char>& is_fixed)
-    : m(input), m_structure(structure), m_quantization(quantization), m_is_fixed(is_fixed)
+              const Feature_bends& bends, const std::vector<char>& is_fixed)
+    : m(input), m_structure(structure), m_quantization(quantization), m_bends(bends), m_is_fixed(is_fixed)
   {}
 
   int number_of_patches() const { return make_base_complex(realization().mesh).number_of_patches; }
@@ -70,7 +71,8 @@ public:
     for(double l : curves.edge_length)
       multiplicities.push_back((std::max)(1, static_cast<int>(l)));
     const double quads = m_quantization.number_of_quads(curves.lengths(multiplicities));
-    double cost = distortion_weight * curves.distortion + missing_weight * (std::max)(0., 1 - quads / m.number_of_faces());
+    double cost = distortion_weight * curves.distortion + feature_weight * curves.feature_misfit(m_bends, multiplicities)
+                + missing_weight * (std::max)(0., 1 - quads / m.number_of_faces());
     if(cost > limit)
       return cost;
 
@@ -115,6 +117,7 @@ private:
   const Indexed_quad_mesh& m;
   const Quad_mesh_structure& m_structure;     // of this mesh
   const Layout_quantization& m_quantization;
+  const Feature_bends& m_bends;
   const std::vector<char>& m_is_fixed;
   int m_first_patches = 1, m_largest_patches = 0, m_largest_quads = 0;
 };
@@ -139,13 +142,13 @@ public:
   // A worse layout is taken with probability exp(-difference / temperature), the temperature falling from this to 0.
   static constexpr double first_temperature = 0.1;
   // How many layouts are kept for the case that the best one does not fit the shape.
-  static constexpr int largest_number_of_runners_up = 12;
+  static constexpr int largest_number_of_runners_up = 24;
   // Largest cost of an edge of the input on a path that is changed; it is varied to find different paths.
   static constexpr double largest_edge_cost = 0.2;
 
   Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, Layout_quantization& quantization,
-                const std::vector<char>& is_fixed)
-    : m_quantization(quantization), m_cost(mesh, structure, quantization, is_fixed)
+                const Feature_bends& bends, const std::vector<char>& is_fixed)
+    : m_quantization(quantization), m_cost(mesh, structure, quantization, bends, is_fixed)
   {}
 
   // Shortens the arcs until there are at most so many patches, or with `patches` 0 so many quads. Calls
