@@ -226,6 +226,9 @@ void write_distances(const std::string& filename, const Mesh& tm, const std::fun
 template <typename DistanceMap>
 std::size_t write_isolines(const std::string& filename, const Mesh& tm, const DistanceMap& distances, double spacing, double maximum)
 {
+  const double most_values = 1e6;
+  if(maximum > most_values * spacing)
+    throw Unusable_input("--isolines: more than a million lines up to the largest distance, " + std::to_string(maximum));
   std::vector<std::vector<Point_3> > polylines;
   for(double k = 1; k * spacing < maximum; ++k)
     QM::trace_isolines(tm, distances, k * spacing, std::back_inserter(polylines));
@@ -379,12 +382,6 @@ int distances(int argc, char* argv[])
     for(Mesh::Vertex_index v : tm.vertices())
       distance[v] = field.distance(v);
 
-  if(args.has("isolines"))
-  {
-    const std::string filename = args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";
-    json.set("isolines", write_isolines(filename, *result_mesh, distance, args.value<double>("isolines"), result.maximum_distance));
-  }
-
   if(extension == "ply")
     write_distances(out, *result_mesh, [&](Mesh::Vertex_index v) { return distance[v]; });
   else
@@ -395,6 +392,11 @@ int distances(int argc, char* argv[])
     os.close();
     if(!os)
       throw Unusable_input(out + ": writing failed");
+  }
+  if(args.has("isolines"))
+  {
+    const std::string filename = args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";
+    json.set("isolines", write_isolines(filename, *result_mesh, distance, args.value<double>("isolines"), result.maximum_distance));
   }
 
   json.set("total_seconds", timer.time());

@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -856,6 +857,36 @@ void test_other_graphs()
     assert(std::fabs(field.distance(w) - other.distance(same(w))) < 1e-13);
 }
 
+// The numbering of a mesh from which faces were removed has gaps.
+void test_gaps()
+{
+  std::cout << "gaps" << std::endl;
+  Mesh whole = make_mesh(perturbed(torus(12, 8), 0.02, 3));
+  Mesh tm = make_mesh(joined(icosphere(1), perturbed(torus(12, 8), 0.02, 3)));
+  const std::size_t removed = tm.number_of_faces() - whole.number_of_faces();
+  for(std::size_t f = 0; f < removed; ++f)
+    CGAL::Euler::remove_face(tm.halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(f))), tm);
+  assert(tm.has_garbage());
+  Field field(whole), other(tm);
+  field.add_source(*whole.vertices().begin());
+  other.add_source(*tm.vertices().begin());
+  field.propagate();
+  other.propagate();
+  auto v = tm.vertices().begin();
+  for(Vertex w : whole.vertices())
+    assert(whole.point(w) == tm.point(*v) && field.distance(w) == other.distance(*v++));
+  auto isolines = [](Mesh& tm, const Field& field)
+  {
+    auto distance = tm.add_property_map<Vertex, double>("v:distance").first;
+    for(Vertex w : tm.vertices())
+      distance[w] = field.distance(w);
+    std::vector<std::vector<Point_3> > lines;
+    CGAL::Quad_meshing::trace_isolines(tm, distance, 0.5, std::back_inserter(lines));
+    return lines;
+  };
+  assert(!isolines(whole, field).empty() && isolines(whole, field) == isolines(tm, other));
+}
+
 int main()
 {
   test_points_in_the_plane();
@@ -877,6 +908,7 @@ int main()
   test_degenerate_faces();
   test_more_digits();
   test_other_graphs();
+  test_gaps();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

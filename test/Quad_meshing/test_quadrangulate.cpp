@@ -15,6 +15,7 @@
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
@@ -234,6 +235,44 @@ struct Counts_stages : QM::Default_visitor
   void on_stage_end(const std::string&) { ++ended; }
 };
 
+// The stages on a mesh that has gaps in its numbering, for faces were removed, give what they give without the gaps.
+void test_gaps()
+{
+  struct Line
+  {
+    int singularities = 0;
+    double energy = 0;
+    std::size_t quads = 0;
+  };
+  auto run = [](Mesh& tm)
+  {
+    auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+    auto angle = tm.add_property_map<Mesh::Face_index, double>("f:angle", 0).first;
+    auto jump = tm.add_property_map<Mesh::Edge_index, int>("e:jump", 0).first;
+    auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index", 0).first;
+    auto uv = tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+    assert(QM::detect_feature_edges(tm, 40, 0.3, is_feature).number_of_edges == 0);
+    const auto field = QM::smooth_cross_field(tm, angle, jump, index, parameters::target_edge_length(0.15));
+    const auto map = QM::integer_grid_map(tm, angle, jump, index, uv, parameters::target_edge_length(0.15));
+    assert(field.is_valid() && map.is_valid());
+    Mesh qm;
+    Line line;
+    line.singularities = field.singularities;
+    line.energy = map.energy;
+    line.quads = QM::extract_quad_mesh(tm, uv, qm).quads;
+    return line;
+  };
+  const test_meshes::Soup torus = test_meshes::torus(40, 20);
+  Mesh whole = test_meshes::make_mesh(torus);
+  Mesh with_gaps = test_meshes::make_mesh(test_meshes::joined(test_meshes::icosphere(1), torus));
+  const std::size_t removed = with_gaps.number_of_faces() - whole.number_of_faces();
+  for(std::size_t f = 0; f < removed; ++f)
+    CGAL::Euler::remove_face(with_gaps.halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(f))), with_gaps);
+  assert(with_gaps.has_garbage() && with_gaps.number_of_vertices() == whole.number_of_vertices());
+  const Line a = run(whole), b = run(with_gaps);
+  assert(a.quads > 100 && a.quads == b.quads && a.singularities == b.singularities && a.energy == b.energy);
+}
+
 // A tube with two quads around it would have two edges between the same vertices. A grid that is a little finer has three.
 void test_grid_too_coarse()
 {
@@ -319,6 +358,7 @@ int main()
   test_optimized_structure();
   test_release_near_a_face();
   test_released_features();
+  test_gaps();
   test_grid_too_coarse();
   test_too_many_singularities();
   test_bad_input_and_stops();

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/internal/Quad_extractor.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -111,8 +112,8 @@ extract_quad_mesh(const TriangleMesh& tm,
   CGAL_precondition(is_triangle_mesh(tm));
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  auto vim = get_initialized_vertex_index_map(tm, np);
-  auto fim = get_initialized_face_index_map(tm, np);
+  auto vim = internal::vertex_numbers(tm, np);
+  auto fim = internal::face_numbers(tm, np);
 
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;

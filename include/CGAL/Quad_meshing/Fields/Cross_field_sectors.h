@@ -10,6 +10,7 @@
 
 #include <CGAL/Quad_meshing/Fields/Face_frames.h>
 #include <CGAL/Quad_meshing/Fields/Field_sectors.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -102,7 +103,7 @@ private:
       put(m_face_index, f, n++);
     return internal::make_indexed_triangle_mesh(
       m_graph, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, m_graph)),
-      get_initialized_vertex_index_map(m_graph, np), m_face_index);
+      internal::vertex_numbers(m_graph, np), m_face_index);
   }
 
   int index(halfedge_descriptor h) const

@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_solver.h>
 #include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -169,8 +170,8 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   if(!is_triangle_mesh(tm))
     return finish(Cross_field_status::NOT_A_TRIANGLE_MESH);
 
-  const auto fim = get_initialized_face_index_map(tm, np);
-  const auto vim = get_initialized_vertex_index_map(tm, np);
+  const auto fim = internal::face_numbers(tm, np);
+  const auto vim = internal::vertex_numbers(tm, np);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
   const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, vpm, vim, fim);
   for(const auto& p : mesh.points)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Crease_graph.h>
 #include <CGAL/Quad_meshing/Fields/internal/merge_narrow_patches.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -116,7 +117,7 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
       sharp_edges.push_back(e);
   result.number_of_dropped_pieces = internal::merge_narrow_patches(tm, vpm, target_edge_length / 4, is_sharp);
 
-  auto vim = get_initialized_vertex_index_map(tm, np);
+  auto vim = internal::vertex_numbers(tm, np);
   internal::Crease_graph creases(vertices(tm).size());
   for(vertex_descriptor v : vertices(tm))
   {

@@ -9,6 +9,7 @@
 #define CGAL_QUAD_MESHING_FIELDS_SALIENT_DIRECTIONS_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Shape_operators.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -77,10 +78,10 @@ int salient_directions(const TriangleMesh& tm, double target_edge_length, FaceDi
   const int half_interval = 2;
   const double minimum_anisotropy = choose_parameter(get_parameter(np, internal_np::minimum_anisotropy), 0.8);
 
-  const auto fim = get_initialized_face_index_map(tm, np);
+  const auto fim = internal::face_numbers(tm, np);
   const internal::Indexed_triangle_mesh m = internal::make_indexed_triangle_mesh(
     tm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm)),
-    get_initialized_vertex_index_map(tm, np), fim);
+    internal::vertex_numbers(tm, np), fim);
   for(auto f : faces(tm))
     put(direction, f, Optional_direction());
   if(!(target_edge_length > 0) || m.number_of_faces() == 0)

@@ -9,6 +9,7 @@
 #define CGAL_QUAD_MESHING_FIELDS_SIZING_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Shape_operators.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -45,7 +46,7 @@ double edge_length_for_number_of_quads(const TriangleMesh& tm, double number_of_
   CGAL_precondition(number_of_quads > 0);
   const internal::Indexed_triangle_mesh m = internal::make_indexed_triangle_mesh(
     tm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm)),
-    get_initialized_vertex_index_map(tm, np), get_initialized_face_index_map(tm, np));
+    internal::vertex_numbers(tm, np), internal::face_numbers(tm, np));
   double area = 0;
   for(int f = 0; f < m.number_of_faces(); ++f)
     area += std::sqrt(cross_product(m.vector(3 * f), m.vector(3 * f + 1)).squared_length()) / 2;
@@ -98,10 +99,10 @@ void curvature_sizing(const TriangleMesh& tm, double tolerance, double minimum, 
   CGAL_precondition(tolerance > 0 && minimum > 0 && minimum <= maximum);
 
   const double gradation = choose_parameter(get_parameter(np, internal_np::sizing_gradation), 0.3);
-  const auto fim = get_initialized_face_index_map(tm, np);
+  const auto fim = internal::face_numbers(tm, np);
   const internal::Indexed_triangle_mesh m = internal::make_indexed_triangle_mesh(
     tm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm)),
-    get_initialized_vertex_index_map(tm, np), fim);
+    internal::vertex_numbers(tm, np), fim);
 
   // Curvature is averaged over disks of twice the mean edge length: large enough to level the
   // angles of single edges.

@@ -15,6 +15,7 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Field_sources.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_propagation.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -172,8 +173,8 @@ public:
 
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_const_property_map(CGAL::vertex_point, tm));
-    auto vim = get_initialized_vertex_index_map(tm, np);
-    auto fim = get_initialized_face_index_map(tm, np);
+    auto vim = internal::vertex_numbers(tm, np);
+    auto fim = internal::face_numbers(tm, np);
 
     for(auto v : vertices(tm))
     {

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_ISOLINES_H
 #define CGAL_QUAD_MESHING_GEODESICS_ISOLINES_H
 
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -165,7 +166,7 @@ PolylineOutputIterator trace_isolines(const TriangleMesh& tm, VertexDistanceMap 
 
   CGAL_precondition(is_triangle_mesh(tm));
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
-  auto fim = get_initialized_face_index_map(tm, np);
+  auto fim = internal::face_numbers(tm, np);
   internal::Distance_isoline_tracer<TriangleMesh, decltype(vpm), decltype(fim), VertexDistanceMap> trace(tm, vpm, fim, distances, value);
   return trace(out);
 }

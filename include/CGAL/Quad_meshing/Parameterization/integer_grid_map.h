@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTEGER_GRID_MAP_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -200,8 +201,8 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                          Static_boolean_property_map<edge_descriptor, false>());
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  auto vim = get_initialized_vertex_index_map(tm, np);
-  auto fim = get_initialized_face_index_map(tm, np);
+  auto vim = internal::vertex_numbers(tm, np);
+  auto fim = internal::face_numbers(tm, np);
   Default_visitor default_visitor;
   auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 

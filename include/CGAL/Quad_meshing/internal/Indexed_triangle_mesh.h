@@ -68,8 +68,8 @@ struct Indexed_triangle_mesh
 
 // Copies a triangle mesh into flat arrays.
 //
-// `VertexIndexMap` and `FaceIndexMap` give consecutive numbers from 0, as
-// `get_initialized_vertex_index_map()` makes them. Vertices must be manifold.
+// `VertexIndexMap` and `FaceIndexMap` give consecutive numbers from 0, as `vertex_numbers()` and `face_numbers()` make
+// them. Vertices must be manifold.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap, typename FaceIndexMap>
 Indexed_triangle_mesh
 make_indexed_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexIndexMap vim, FaceIndexMap fim)
