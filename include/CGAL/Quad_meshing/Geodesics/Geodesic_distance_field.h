@@ -11,24 +11,23 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Field_access.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Field_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Field_queries.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Field_sources.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_propagation.h>
-#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -36,25 +35,6 @@
 
 namespace CGAL {
 namespace Quad_meshing {
-
-namespace internal {
-
-// What the functions that continue from a field may look at.
-struct Field_access
-{
-  template <typename Field> static const auto& mesh(const Field& f) { return f.m_mesh; }
-  template <typename Field> static const auto& sources(const Field& f) { return f.m_sources; }
-  template <typename Field> static const auto& graph(const Field& f) { return f.m_tm; }
-  template <typename Field, typename Vertex> static int index(const Field& f, Vertex v) { return f.index(v); }
-
-  // null if there is no field, or none with windows
-  template <typename Field> static const auto* propagation(const Field& f)
-  {
-    return f.m_has_windows ? f.m_propagation.get() : nullptr;
-  }
-};
-
-} // namespace internal
 
 /*!
  * \ingroup PkgQuadMeshingGeodesicsRef
@@ -166,33 +146,9 @@ public:
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Geodesic_distance_field(const TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
-    : m_tm(tm)
+    : m_tm(tm), m_mesh(m_field_mesh.unfolded())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-
-    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                get_const_property_map(CGAL::vertex_point, tm));
-    auto vim = internal::vertex_numbers(tm, np);
-    auto fim = internal::face_numbers(tm, np);
-
-    for(auto v : vertices(tm))
-    {
-      const auto& p = get(vpm, v);
-      if(! std::isfinite(CGAL::to_double(p.x())) || ! std::isfinite(CGAL::to_double(p.y())) || ! std::isfinite(CGAL::to_double(p.z())))
-        m_status = Geodesic_distance_status::POINT_NOT_FINITE;
-    }
-    if(! is_triangle_mesh(tm))
-      m_status = Geodesic_distance_status::NOT_A_TRIANGLE_MESH;
-    if(m_status != Geodesic_distance_status::SUCCESS)
-      return;
-
-    m_mesh = Mesh(internal::make_indexed_triangle_mesh(tm, vpm, vim, fim));
-    m_faces.resize(m_mesh.number_of_faces());
-    for(face_descriptor f : faces(tm))
-      m_faces[get(fim, f)] = f;
-    m_vertex_index = [vim](vertex_descriptor v) { return static_cast<int>(get(vim, v)); };
-    m_face_index = [fim](face_descriptor f) { return static_cast<int>(get(fim, f)); };
+    m_status = m_field_mesh.read(tm, np);
   }
 
   Geodesic_distance_field(const Geodesic_distance_field&) = delete;
@@ -235,7 +191,7 @@ public:
     Sources sources = m_sources;
     for(std::size_t i = 0; i < points.size(); ++i)
     {
-      const bool is_last_of_closed = i > 0 && i + 1 == points.size() && is_same(points[0], points[i]);
+      const bool is_last_of_closed = i > 0 && i + 1 == points.size() && Sources::is_same(m_mesh, points[0], points[i]);
       if(! is_last_of_closed)
         sources.add_point(m_mesh, points[i], FT(offset), m_number_of_sources);
       if(i > 0 && ! sources.add_segment(m_mesh, points[i - 1], points[i], FT(offset), m_number_of_sources))
@@ -259,7 +215,7 @@ public:
         h = opposite(h, m_tm);
       if(is_border(h, m_tm))
         continue;
-      const int i = halfedge_index(h), v = m_mesh.source(i), w = m_mesh.target(i);
+      const int i = m_field_mesh.halfedge_index(h), v = m_mesh.source(i), w = m_mesh.target(i);
       m_sources.add_edge_part(m_mesh, i, vertex_point(v), vertex_point(w), FT(offset), m_number_of_sources);
       ends.push_back(v);
       ends.push_back(w);
@@ -369,7 +325,9 @@ public:
       });
       visitor.on_stage_end("geodesic distances");
     }
-    count(result);
+    result.number_of_unreached_vertices = vertices(m_tm).size();
+    if(m_propagation)
+      m_propagation->count(result);
     result.message = get_message(result.status);
     result.seconds = timer.time();
     return result;
@@ -420,16 +378,9 @@ public:
   Vector_3 gradient(const Face_location& location) const
   {
     const Arrival a = arrival(location);
-    const int f = m_face_index(location.first);
+    const int f = m_field_mesh.face_index(location.first);
     const auto p = place(f, point(location));
-    const double x = internal::as_double(FT(p.first - a.x)), y = internal::as_double(FT(p.second - a.y)), n = std::sqrt(x * x + y * y);
-    if(a.kind == Arrival::NOWHERE || n == 0 || m_mesh.length_of(3 * f) == FT(0))
-      return Vector_3(0, 0, 0);
-    const Vector_3 u = m_mesh.vector(3 * f) / internal::as_double(m_mesh.length_of(3 * f));
-    Vector_3 w = - m_mesh.vector(3 * f + 2);
-    w = w - (w * u) * u;
-    const double l = std::sqrt(w * w);
-    return l == 0 ? Vector_3(0, 0, 0) : Vector_3(x / n * u + y / n * (w / l));
+    return a.kind == Arrival::NOWHERE ? Vector_3(0, 0, 0) : queries().direction(f, FT(p.first - a.x), FT(p.second - a.y));
   }
 
   /// writes a shortest path from a point to its nearest source as a polyline of `Face_location`, beginning with the point and ending
@@ -439,14 +390,14 @@ public:
   {
     if(! m_propagation || ! m_has_windows)
       return no_source();
-    const int f = m_face_index(location.first);
+    const int f = m_field_mesh.face_index(location.first);
     const auto p = place(f, point(location));
     std::vector<typename Queries::Step> steps;
     const int element = queries().trace(f, p.first, p.second, steps);
     if(element < 0)
       return no_source();
     for(const typename Queries::Step& s : steps)
-      *out++ = Face_location(m_faces[s.face], queries().barycentric(s.face, s.x, s.y));
+      *out++ = Face_location(m_field_mesh.face_of_index(s.face), queries().barycentric(s.face, s.x, s.y));
     return m_sources.elements()[element].source;
   }
 
@@ -457,7 +408,7 @@ public:
     const int h = is_reached(v) ? m_mesh.halfedge_of_vertex[index(v)] : -1;
     if(h == -1)
       return no_source();
-    Face_location location(m_faces[h / 3], {{ 0, 0, 0 }});
+    Face_location location(m_field_mesh.face_of_index(h / 3), {{ 0, 0, 0 }});
     location.second[h % 3] = 1;
     return shortest_path(location, out);
   }
@@ -471,8 +422,8 @@ public:
       h = opposite(h, m_tm);
     if(! m_propagation || is_border(h, m_tm))
       return out;
-    const int i = m_mesh.halfedge_of_edge[m_mesh.edge_of[halfedge_index(h)]];
-    const halfedge_descriptor from = i == halfedge_index(h) ? h : opposite(h, m_tm);
+    const int i = m_mesh.halfedge_of_edge[m_mesh.edge_of[m_field_mesh.halfedge_index(h)]];
+    const halfedge_descriptor from = i == m_field_mesh.halfedge_index(h) ? h : opposite(h, m_tm);
     for(const internal::Window<FT>& w : m_propagation->windows(m_mesh.edge_of[i]))
       *out++ = Window{ from, w.b0, w.b1, w.linear, w.x, w.y, w.sigma, w.from_left, source_of_origin(w.origin) };
     return out;
@@ -485,36 +436,19 @@ private:
 
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  int index(vertex_descriptor v) const { return m_vertex_index(v); }
-
-  int halfedge_index(halfedge_descriptor h) const
-  {
-    const halfedge_descriptor first = halfedge(face(h, m_tm), m_tm);
-    const int k = h == first ? 0 : h == next(first, m_tm) ? 1 : 2;
-    return 3 * m_face_index(face(h, m_tm)) + k;
-  }
+  int index(vertex_descriptor v) const { return m_field_mesh.vertex_index(v); }
 
   static Surface_point vertex_point(int v) { return Surface_point{ Surface_point::VERTEX, v, FT(0), FT(0) }; }
 
   template <typename Location>
   Surface_point point(const Location& location) const
   {
-    return internal::surface_point(m_mesh, m_face_index(location.first),
+    return internal::surface_point(m_mesh, m_field_mesh.face_index(location.first),
                                    {{ CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
                                       CGAL::to_double(location.second[2]) }});
   }
 
   std::pair<FT, FT> place(int f, const Surface_point& p) const { return internal::place_in_face(m_mesh, f, p); }
-
-  bool is_same(const Surface_point& p, const Surface_point& q) const
-  {
-    if(p.carrier != q.carrier)
-      return false;
-    if(p.carrier == Surface_point::EDGE)
-      return m_mesh.edge_of[p.simplex] == m_mesh.edge_of[q.simplex] &&
-             Sources::place_on(m_mesh, p.simplex, p) == Sources::place_on(m_mesh, p.simplex, q);
-    return p.simplex == q.simplex && p.x == q.x && p.y == q.y;
-  }
 
   Queries queries() const { return Queries(m_mesh, *m_propagation, m_sources); }
 
@@ -522,7 +456,7 @@ private:
   {
     if(! m_propagation || ! m_has_windows)
       return Arrival{ Arrival::NOWHERE, FT(0), -1, FT(0), FT(0), FT(0), 0 };
-    const int f = m_face_index(location.first);
+    const int f = m_field_mesh.face_index(location.first);
     const auto p = place(f, point(location));
     return queries().arrival(f, p.first, p.second);
   }
@@ -540,31 +474,10 @@ private:
     });
   }
 
-  void count(Geodesic_distance_result& result) const
-  {
-    const std::size_t nv = vertices(m_tm).size();
-    result.number_of_unreached_vertices = nv;
-    if(! m_propagation)
-      return;
-    result.number_of_unreached_vertices = 0;
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-    {
-      if(m_propagation->is_reached(v))
-        result.maximum_distance = (std::max)(result.maximum_distance, internal::as_double(m_propagation->label(v).distance));
-      else
-        ++result.number_of_unreached_vertices;
-    }
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      result.number_of_windows += m_propagation->windows(e).size;
-    result.number_of_propagations = m_propagation->number_of_propagations();
-  }
-
   const TriangleMesh& m_tm;
+  internal::Field_mesh<TriangleMesh, FT> m_field_mesh;
+  const Mesh& m_mesh;                                  // its unfolded form
   Geodesic_distance_status m_status = Geodesic_distance_status::SUCCESS;
-  Mesh m_mesh;
-  std::vector<face_descriptor> m_faces;
-  std::function<int(vertex_descriptor)> m_vertex_index;
-  std::function<int(face_descriptor)> m_face_index;
   Sources m_sources;
   std::size_t m_number_of_sources = 0;
   std::unique_ptr<Propagation> m_propagation;

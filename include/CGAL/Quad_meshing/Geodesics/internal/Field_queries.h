@@ -13,6 +13,9 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_propagation.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -150,6 +153,20 @@ public:
       }
     }
     return -1;
+  }
+
+  // The unit vector in space of a direction in a face, zero if it has none.
+  Indexed_triangle_mesh::Vector_3 direction(int face, const FT& dx, const FT& dy) const
+  {
+    typedef Indexed_triangle_mesh::Vector_3 Vector_3;
+    const double x = as_double(dx), y = as_double(dy), n = std::sqrt(x * x + y * y);
+    if(n == 0 || m_mesh.length_of(3 * face) == FT(0))
+      return Vector_3(0, 0, 0);
+    const Vector_3 u = m_mesh.vector(3 * face) / as_double(m_mesh.length_of(3 * face));
+    Vector_3 w = - m_mesh.vector(3 * face + 2);
+    w = w - (w * u) * u;
+    const double l = std::sqrt(w * w);
+    return l == 0 ? Vector_3(0, 0, 0) : Vector_3(x / n * u + y / n * (w / l));
   }
 
   std::array<double, 3> barycentric(int face, const FT& x, const FT& y) const

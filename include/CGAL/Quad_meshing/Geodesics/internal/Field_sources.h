@@ -259,6 +259,15 @@ public:
     return p.simplex == h ? p.x : FT(m.length_of(h) - p.x);
   }
 
+  static bool is_same(const Mesh& m, const Point& p, const Point& q)
+  {
+    if(p.carrier != q.carrier)
+      return false;
+    if(p.carrier == Point::EDGE)
+      return m.edge_of[p.simplex] == m.edge_of[q.simplex] && place_on(m, p.simplex, p) == place_on(m, p.simplex, q);
+    return p.simplex == q.simplex && p.x == q.x && p.y == q.y;
+  }
+
 private:
   int last() const { return static_cast<int>(m_elements.size()) - 1; }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_PROPAGATION_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_PROPAGATION_H
 
+#include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Face_crossing.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Vertex_departure.h>
@@ -57,8 +58,23 @@ public:
   const Vertex_label<FT>& label(int v) const { return m_front.label(v); }
   bool is_reached(int v) const { return label(v).distance < unreached(); }
 
-  std::size_t number_of_propagations() const { return m_propagations; }
   std::size_t number_of_passed_vertices() const { return m_passed; }
+
+  // Counts what there is.
+  void count(Geodesic_distance_result& result) const
+  {
+    result.number_of_unreached_vertices = 0;
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      if(is_reached(v))
+        result.maximum_distance = (std::max)(result.maximum_distance, as_double(label(v).distance));
+      else
+        ++result.number_of_unreached_vertices;
+    }
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+      result.number_of_windows += windows(e).size;
+    result.number_of_propagations = m_propagations;
+  }
 
   // Starts rays in all directions from a vertex.
   void start_at_vertex(int v, const FT& offset, int origin) { m_front.reach(v, offset, origin, 0.f, [] { return 0.; }); }
