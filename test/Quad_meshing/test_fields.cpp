@@ -617,6 +617,26 @@ void test_close_pairs()
   }
 }
 
+// The tip of a cone has less than three quads in the smoothest field. In a field for quads it has three.
+void test_tips()
+{
+  std::cout << "tips" << std::endl;
+  Field f(cone(24, 12, 1, std::sqrt(3.)));
+  auto greatest_index = [&](double target_edge_length)
+  {
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(
+      f.tm, f.angle, f.jump, f.index,
+      params::target_edge_length(target_edge_length).cross_field_method(Method::REPRESENTATION));
+    check(f, r);
+    int greatest = 0;
+    for(Vertex v : f.tm.vertices())
+      if(!f.tm.is_border(v))
+        greatest = (std::max)(greatest, f.index[v]);
+    return greatest;
+  };
+  assert(greatest_index(0) > 1 && greatest_index(0.01) == 1);
+}
+
 struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
 {
   int begun = 0, ended = 0, asked = 0;
@@ -805,6 +825,7 @@ int main()
   test_sectors();
   test_singularities_near_features();
   test_close_pairs();
+  test_tips();
   test_annihilation();
   test_input();
   test_real_meshes();

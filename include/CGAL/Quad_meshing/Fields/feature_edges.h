@@ -108,14 +108,15 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
   Polygon_mesh_processing::detect_sharp_edges(const_cast<TriangleMesh&>(tm), angle_in_degrees, is_sharp,
                                               parameters::vertex_point_map(vpm).geom_traits(gt));
 
-  // The patches are narrow that a grid of twice the density could not follow either.
+  // Half a quad of a grid of twice the density: nothing can be followed on both sides there.
+  const double least_width = target_edge_length / 4;
   std::vector<edge_descriptor> sharp_edges;
   for(edge_descriptor e : edges(tm))
     if(is_border(e, tm))
       put(is_sharp, e, false);
     else if(get(is_sharp, e))
       sharp_edges.push_back(e);
-  result.number_of_dropped_pieces = internal::merge_narrow_patches(tm, vpm, target_edge_length / 4, is_sharp);
+  result.number_of_dropped_pieces = internal::merge_narrow_patches(tm, vpm, least_width, is_sharp);
 
   auto vim = internal::vertex_numbers(tm, np);
   internal::Crease_graph creases(vertices(tm).size());
