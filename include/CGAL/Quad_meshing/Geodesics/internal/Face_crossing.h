@@ -11,15 +11,18 @@
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Wavefront.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Takes windows from one edge of a face to the two others. What depends on the face alone is made once for all
-// windows of the edge, and on both edges they arrive in their order.
+// Takes windows from one edge of a face to the two others; where an edge is open, on to the edges behind it. What depends
+// on the faces alone is made once for all windows of the edge, and on each edge they arrive in their order.
 template <typename FT>
 class Face_crossing
 {
@@ -38,101 +41,213 @@ public:
       return;
     const Mesh& mesh = m_front.mesh();
     const typename Mesh::Apex& apex = mesh.apex[h];
-    const FT l = mesh.length_of(h), place = FT(Tol::place()) * l, rx = apex.x, ry = apex.y, back = apex.back;
-    const int right = Mesh::next(h), left = Mesh::prev(h), n = static_cast<int>(windows.size());
+    const FT l = mesh.length_of(h);
+    m_place = FT(Tol::place()) * l;
+    m_length = l;
+    m_corners.clear();
+    m_number_of_exits = 0;
+    m_corners.push_back(Corner{ Vector{ apex.x, apex.y }, Vector{ l, FT(0) }, Vector{ apex.back, apex.y }, Vector{ -apex.x, -apex.y },
+                                h, true, 0, 0 });
+    for(std::size_t k = 0; k < windows.size(); ++k)
+      divide(0, windows[k], Part{ static_cast<int>(k), false, false, windows[k].b0, windows[k].b1 });
+    for(int i = 0; i < m_number_of_exits; ++i)
+      if(mesh.length_of(m_exits[i].halfedge) > FT(0))
+        leave(m_exits[i], windows.data());
+  }
 
-    // where the rays to r cross h
-    if(m_rays_to_apex.size() < windows.size())
-      m_rays_to_apex.resize(2 * windows.size());
-    for(int k = 0; k < n; ++k)
+  // Receives a window that comes through the face of the halfedge, in the frame of the halfedge: on it, or behind it if it is open.
+  BOOST_NOINLINE void arrive(int h, W w)
+  {
+    const int o = m_front.behind(h);
+    if(o == -1)
+      m_front.arrive(h, w);
+    else
     {
-      const W& w = windows[k];
-      const FT t = w.linear ? FT(rx - ry * w.x / w.y) : FT(w.x + (rx - w.x) * w.y / (ry + w.y));
-      m_rays_to_apex[k] = t;
-      if((t >= w.b0 || w.closes_gap(w.b0 - t, w.b0, l)) && (t <= w.b1 || w.closes_gap(t - w.b1, w.b1, l)))
-        reach_apex(h, w);
-    }
-
-    if(mesh.length_of(right) > FT(0))
-    {
-      Exit exit(m_front, right, back, ry);
-      const FT& width = exit.landing.length;
-      // the ray through a place b of h meets qr at this part of the way from q
-      const auto part = [&](const W& w, const FT& b) { return w.y * (l - b) / ((w.linear ? w.x : FT(b - w.x)) * ry - w.y * back); };
-      for(int i = 0; i < n; ++i)
-      {
-        const int k = exit.landing.is_canonical ? n - 1 - i : i;
-        const W& w = windows[k];
-        const FT& t = m_rays_to_apex[k];
-        if(! (t < w.b1 - place))
-          continue;
-        const FT begin = width * part(w, w.b1), end = t > w.b0 - place ? width : FT(width * part(w, w.b0));
-        exit.arrive(m_front, w, begin, end, w.linear ? l : FT(w.x - l), w.linear ? FT(0) : w.y);
-      }
-    }
-    if(mesh.length_of(left) > FT(0))
-    {
-      Exit exit(m_front, left, FT(-rx), FT(-ry));
-      const FT& width = exit.landing.length;
-      // the ray through a place b of h meets rp at this part of the way from p
-      const auto part = [&](const W& w, const FT& b) { return w.y * b / (w.y * rx - (w.linear ? w.x : FT(b - w.x)) * ry); };
-      for(int i = 0; i < n; ++i)
-      {
-        const int k = exit.landing.is_canonical ? n - 1 - i : i;
-        const W& w = windows[k];
-        const FT& t = m_rays_to_apex[k];
-        if(! (t > w.b0 + place))
-          continue;
-        const FT begin = t < w.b1 + place ? FT(0) : FT(width * (FT(1) - part(w, w.b1))), end = width * (FT(1) - part(w, w.b0));
-        exit.arrive(m_front, w, begin, end, w.linear ? rx : FT(w.x - rx), w.linear ? ry : FT(w.y + ry));
-      }
+      w.reverse(m_front.mesh().length_of(h));
+      (*this)(o, std::vector<W>(1, w));
     }
   }
 
 private:
-  // One of the two other edges.
-  struct Exit
+  struct Vector { FT x, y; };
+
+  // A part of a window, on its way to an exit.
+  struct Part
   {
-    typename Wavefront<FT>::Landing landing;
-    FT ux, uy;         // its direction in the frame of h
-
-    Exit(const Wavefront<FT>& front, int h, const FT& vx, const FT& vy)
-      : landing(front.landing(h))
-    {
-      const FT inverse = FT(1) / landing.length;
-      ux = vx * inverse;
-      uy = vy * inverse;
-    }
-
-    // From `w` on h comes the window [b0, b1] of this edge. With the origin o of its frame, (dx, dy) is o itself for a
-    // linear window; for a circular one dx is the x-coordinate of the source minus that of o, -dy the same for y.
-    BOOST_FORCEINLINE void arrive(Wavefront<FT>& front, const W& w, const FT& b0, const FT& b1, const FT& dx, const FT& dy)
-    {
-      if(w.linear)
-        front.arrive(landing, W{ b0, b1, FT(w.x * ux + w.y * uy), FT(w.x * uy - w.y * ux),
-                                 FT(w.sigma + w.x * dx + w.y * dy), w.origin, true, true, true, w.error });
-      else
-        front.arrive(landing, W{ b0, b1, FT(dx * ux - dy * uy), FT(-dx * uy - dy * ux),
-                                 w.sigma, w.origin, false, true, true, w.error });
-    }
+    int window;
+    bool begins_at_corner, ends_at_corner;      // whether its rays at the right, at the left end lead to the end of the exit
+    FT b0, b1;
   };
 
-  void reach_apex(int h, const W& w)
+  // An edge at which windows arrive.
+  struct Exit
+  {
+    int halfedge;
+    bool is_last;                // whether it ends at p
+    Vector begin, side;          // from where, and how far it runs
+    std::vector<Part> parts;
+  };
+
+  // The apex of a face, and what is behind the two sides of the face: another corner, ~i for the i-th exit, or 0 if
+  // nothing has been there yet.
+  struct Corner
+  {
+    Vector place;
+    Vector begin;                // where the right side begins
+    Vector right_side, left_side;
+    int halfedge;                // through which its face is entered
+    bool is_last;                // whether its face contains p
+    int right, left;
+  };
+
+  int behind_right_side(int corner)
+  {
+    if(m_corners[corner].right == 0)
+    {
+      const Corner c = m_corners[corner];
+      const int n = behind_side(Mesh::next(c.halfedge), c.begin, c.right_side, false);
+      m_corners[corner].right = n;
+    }
+    return m_corners[corner].right;
+  }
+
+  int behind_left_side(int corner)
+  {
+    if(m_corners[corner].left == 0)
+    {
+      const Corner c = m_corners[corner];
+      const int n = behind_side(Mesh::prev(c.halfedge), c.place, c.left_side, c.is_last);
+      m_corners[corner].left = n;
+    }
+    return m_corners[corner].left;
+  }
+
+  int behind_side(int h, const Vector& begin, const Vector& side, bool is_last)
+  {
+    const int o = m_front.behind(h);
+    if(o == -1)
+    {
+      if(static_cast<int>(m_exits.size()) == m_number_of_exits)
+        m_exits.emplace_back();
+      Exit& e = m_exits[m_number_of_exits];
+      e.halfedge = h;
+      e.is_last = is_last;
+      e.begin = begin;
+      e.side = side;
+      e.parts.clear();
+      return ~m_number_of_exits++;
+    }
+    const Mesh& mesh = m_front.mesh();
+    const typename Mesh::Apex& a = mesh.apex[o];
+    const FT inverse = FT(1) / mesh.length_of(h), ux = side.x * inverse, uy = side.y * inverse;
+    // the way from `begin` to the apex behind; o runs backwards
+    const Vector right{ a.y * uy - a.back * ux, -a.y * ux - a.back * uy };
+    m_corners.push_back(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right,
+                                Vector{ side.x - right.x, side.y - right.y }, o, is_last, 0, 0 });
+    return static_cast<int>(m_corners.size()) - 1;
+  }
+
+  // Divides a part of a window, which is to pass a corner, or to leave if `node` is an exit.
+  void divide(int node, const W& w, Part part)
+  {
+    while(node >= 0)
+    {
+      const Vector place = m_corners[node].place;
+      const FT t = ray_to(place, w, part);
+      if((t >= part.b0 || (part.b0 == w.b0 && w.closes_gap(w.b0 - t, w.b0, m_length))) &&
+         (t <= part.b1 || (part.b1 == w.b1 && w.closes_gap(t - w.b1, w.b1, m_length))))
+        reach_corner(m_corners[node], w);
+      const bool to_left = t > part.b0 + m_place;
+      if(t < part.b1 - m_place)
+      {
+        if(to_left)
+        {
+          Part left = part;
+          left.b1 = t;
+          left.begins_at_corner = true;
+          divide(behind_left_side(node), w, left);
+          part.b0 = t;
+          part.ends_at_corner = true;
+        }
+        else
+          part.ends_at_corner = ! (t < part.b0 - m_place);
+        node = behind_right_side(node);
+      }
+      else
+      {
+        part.begins_at_corner = ! (t > part.b1 + m_place);
+        node = behind_left_side(node);
+      }
+    }
+    m_exits[~node].parts.push_back(part);
+  }
+
+  // Where the ray to a corner crosses h. If the corner lies behind h, it is beyond an end, and all rays of the part are on one side of it.
+  FT ray_to(const Vector& c, const W& w, const Part& part) const
+  {
+    if(! (c.y < FT(0)))
+      return w.linear ? FT(c.x - c.y * w.x / w.y) : FT(w.x + (c.x - w.x) * w.y / (c.y + w.y));
+    const FT t = (part.b0 + part.b1) / FT(2), rise = w.linear ? w.x : FT(t - w.x);
+    return rise * c.y < w.y * (c.x - t) ? FT(2 * m_length) : FT(-m_length);
+  }
+
+  void reach_corner(const Corner& c, const W& w)
   {
     const Mesh& mesh = m_front.mesh();
-    const int left = Mesh::prev(h);
-    const FT &rx = mesh.apex[h].x, &ry = mesh.apex[h].y;
-    const FT bx = w.linear ? w.x : FT(rx - w.x), by = w.linear ? w.y : FT(ry + w.y);
-    const FT d = w.linear ? FT(w.sigma + rx * bx + ry * by) : FT(w.sigma + square_root(bx * bx + by * by));
-    // the angle from the way to p, (-rx, -ry), to the way back, (-bx, -by)
+    const FT bx = w.linear ? w.x : FT(c.place.x - w.x), by = w.linear ? w.y : FT(c.place.y + w.y);
+    const FT d = w.linear ? FT(w.sigma + c.place.x * bx + c.place.y * by) : FT(w.sigma + square_root(bx * bx + by * by));
+    // the angle from the left side to the way back, (-bx, -by)
+    const int left = Mesh::prev(c.halfedge);
     m_front.reach(mesh.source(left), d, w.origin, w.error, [&]
     {
-      return mesh.direction[left] + std::atan2(as_double(FT(rx * by - ry * bx)), as_double(FT(rx * bx + ry * by)));
+      return mesh.direction[left] + std::atan2(as_double(FT(c.left_side.y * bx - c.left_side.x * by)),
+                                               as_double(FT(-c.left_side.x * bx - c.left_side.y * by)));
     });
   }
 
+  void leave(const Exit& exit, const W* windows)
+  {
+    typename Wavefront<FT>::Landing landing = m_front.landing(exit.halfedge);
+    if(landing.is_behind)
+      return;
+    const Vector begin = exit.begin, side = exit.side;
+    const FT width = landing.length, inverse = FT(1) / width, ux = side.x * inverse, uy = side.y * inverse;
+    // where the ray through a place b of h meets the exit; the formula for the last one is exact at p
+    const auto hit = [&](const W& w, const FT& b)
+    {
+      const FT rise = w.linear ? w.x : FT(b - w.x), d = rise * side.y - w.y * side.x;
+      return exit.is_last ? FT(width * (FT(1) - w.y * b / d)) : FT(width * (((begin.x - b) * w.y - begin.y * rise) / d));
+    };
+    const Part* part = exit.parts.data();
+    int step = 1;
+    if(landing.is_canonical)
+    {
+      part += exit.parts.size() - 1;
+      step = -1;
+    }
+    for(std::size_t n = exit.parts.size(); n > 0; --n, part += step)
+    {
+      const W& w = windows[part->window];
+      const FT b0 = part->begins_at_corner ? FT(0) : hit(w, part->b1);
+      const FT b1 = part->ends_at_corner ? width : hit(w, part->b0);
+      if(w.linear)
+        m_front.arrive(landing, W{ b0, b1, FT(w.x * ux + w.y * uy), FT(w.x * uy - w.y * ux),
+                                   FT(w.sigma + w.x * begin.x + w.y * begin.y), w.origin, true, true, true, w.error });
+      else
+      {
+        const FT dx = w.x - begin.x, dy = w.y + begin.y;
+        m_front.arrive(landing, W{ b0, b1, FT(dx * ux - dy * uy), FT(-dx * uy - dy * ux),
+                                   w.sigma, w.origin, false, true, true, w.error });
+      }
+    }
+    m_front.finish(landing);
+  }
+
   Wavefront<FT>& m_front;
-  std::vector<FT> m_rays_to_apex;
+  FT m_length, m_place;              // of the edge that the windows come from
+  std::vector<Corner> m_corners;
+  std::vector<Exit> m_exits;
+  int m_number_of_exits = 0;
 };
 
 } // namespace internal

@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_VERTEX_DEPARTURE_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_VERTEX_DEPARTURE_H
 
-#include <CGAL/Quad_meshing/Geodesics/internal/Wavefront.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Face_crossing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ public:
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
 
-  explicit Vertex_departure(Wavefront<FT>& front)
-    : m_front(front), m_mesh(front.mesh())
+  Vertex_departure(Wavefront<FT>& front, Face_crossing<FT>& cross)
+    : m_front(front), m_cross(cross), m_mesh(front.mesh())
   {}
 
   // Goes on from a vertex: along its edges always, which lets no vertex unreached whatever rounding
@@ -85,7 +85,7 @@ public:
                  std::atan2(as_double(y), as_double(FT(length - x)));
         });
       if(y > FT(0))
-        m_front.arrive(h, W{ FT(0), length, x, y, sigma, origin, false, true, true, error });
+        m_cross.arrive(h, W{ FT(0), length, x, y, sigma, origin, false, true, true, error });
       else if(x > FT(0) && x < length && m_mesh.opposite[h] != -1)
         leave_point(m_mesh.opposite[h], FT(length - x), sigma, origin, error);
     }
@@ -130,7 +130,7 @@ private:
             const FT b0 = ! whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
             const FT b1 = ! whole && to < begin + corner ? (std::min)(length, hit(a, to - begin)) : length;
             if(b0 < b1)
-              m_front.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
+              m_cross.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
           }
         }
       }
@@ -147,6 +147,7 @@ private:
   }
 
   Wavefront<FT>& m_front;
+  Face_crossing<FT>& m_cross;
   const Mesh& m_mesh;
 };
 

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WAVEFRONT_H
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Front_queue.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Open_edges.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_envelope.h>
@@ -54,7 +55,10 @@ public:
       m_lists(mesh.number_of_edges()),
       m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0.f, 0, false }),
       m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))
-  {}
+  {
+    if(! keep_windows)
+      m_behind = Open_edges<FT>(mesh).take();
+  }
 
   const Mesh& mesh() const { return m_mesh; }
   bool keeps_windows() const { return m_keep_windows; }
@@ -63,6 +67,9 @@ public:
   Vertex_label<FT>& label(int v) { return m_labels[v]; }
   const Vertex_label<FT>& label(int v) const { return m_labels[v]; }
   Front_queue& queue() { return m_queue; }
+
+  // The halfedge by which windows go on that leave their face through h without being kept there, -1 if they are kept.
+  int behind(int h) const { return m_keep_windows ? -1 : m_behind[h]; }
 
   // Receives a distance at a vertex. `angle()` is its direction of arrival.
   template <typename Angle>
@@ -82,22 +89,28 @@ public:
   // Where windows arrive: an edge, seen from a face. Made once for many windows.
   struct Landing
   {
-    int edge, source, target;
+    int edge;
     bool is_canonical;
+    bool is_due;                 // in this step already
+    bool is_behind;              // whether the front has passed all of the edge
     FT length;
+    FT at_source, at_target;     // the distances of the ends
+    FT nearest;                  // the smallest distance of what has arrived, if the edge is not due
     int hint;                    // see Window_envelope::insert
   };
 
   Landing landing(int h) const
   {
     const int e = m_mesh.edge_of[h];
-    return Landing{ e, m_mesh.source(h), m_mesh.target(h), m_mesh.is_canonical(h), m_mesh.length[e], m_lists[e].size };
+    return Landing{ e, m_mesh.is_canonical(h), m_queue.is_due(e), ! m_keep_windows && latest(e) <= m_queue.front(),
+                    m_mesh.length[e], m_labels[m_mesh.source(h)].distance, m_labels[m_mesh.target(h)].distance,
+                    unreached(), m_lists[e].size };
   }
 
   // Receives a window that comes through the face of the halfedge, in the frame of the halfedge.
   BOOST_FORCEINLINE void arrive(Landing& at, W w)
   {
-    const FT& l = at.length;
+    const FT l = at.length;
     if(! (w.y > FT(0)))
       return;
     if(w.b0 < FT(0)) w.b0 = FT(0);
@@ -107,10 +120,8 @@ public:
 
     // Xin and Wang 2009: rays that are longer than the way over an end of the edge lead nowhere.
     const FT margin = FT(1) + Tol::filter();
-    if(w.is_beyond(w.b1, FT((m_labels[at.source].distance + w.b1) * margin)) ||
-       w.is_beyond(w.b0, FT((m_labels[at.target].distance + (l - w.b0)) * margin)))
-      return;
-    if(! m_keep_windows && latest(at.edge) <= m_queue.front())
+    if(w.is_beyond(w.b1, FT((at.at_source + w.b1) * margin)) ||
+       w.is_beyond(w.b0, FT((at.at_target + (l - w.b0)) * margin)))
       return;
 
     w.from_left = true;
@@ -118,8 +129,15 @@ public:
     if(! at.is_canonical)
       w.reverse(l);
     const auto inserted = m_envelope.insert(m_lists, m_lists[at.edge], at.hint, w, l);
-    if(inserted != Window_envelope<FT>::NOTHING && ! m_queue.is_due(at.edge))
-      m_queue.push_edge(at.edge, key(inserted == Window_envelope<FT>::ALL ? w.minimum() : m_envelope.nearest_part()));
+    if(inserted != Window_envelope<FT>::NOTHING && ! at.is_due)
+      at.nearest = (std::min)(at.nearest, inserted == Window_envelope<FT>::ALL ? w.minimum() : m_envelope.nearest_part());
+  }
+
+  // To be called when all have arrived.
+  void finish(const Landing& at)
+  {
+    if(at.nearest < unreached())
+      m_queue.push_edge(at.edge, key(at.nearest));
   }
 
   // The same for single windows.
@@ -128,7 +146,10 @@ public:
     if(m_mesh.length_of(h) == FT(0))
       return;
     Landing at = landing(h);
+    if(at.is_behind)
+      return;
     arrive(at, w);
+    finish(at);
   }
 
   // Puts a window on an edge from which it does not go on, in the frame of h.
@@ -161,11 +182,12 @@ private:
     double sum = 0;
     for(const FT& l : mesh.length)
       sum += as_double(l);
-    return mesh.length.empty() || ! (sum > 0) ? 1. : 2 * sum / static_cast<double>(mesh.length.size());
+    return mesh.length.empty() || ! (sum > 0) ? 1. : sum / static_cast<double>(mesh.length.size());
   }
 
   const Mesh& m_mesh;
   bool m_keep_windows;
+  std::vector<int> m_behind;        // per halfedge, empty if windows are kept
   Window_lists<FT> m_lists;
   std::vector<Vertex_label<FT> > m_labels;
   Front_queue m_queue;

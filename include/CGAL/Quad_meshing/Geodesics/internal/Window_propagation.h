@@ -50,8 +50,8 @@ public:
     : m_mesh(mesh),
       m_allowed_error(allowed_error),
       m_front(mesh, keep_windows),
-      m_departure(m_front),
-      m_cross(m_front)
+      m_cross(m_front),
+      m_departure(m_front, m_cross)
   {}
 
   const List& windows(int edge) const { return m_front.lists()[edge]; }
@@ -98,7 +98,7 @@ public:
     {
       m_front.reach(m_mesh.source(h), offset + square_root(x * x + y * y), origin, 0.f,
                     [&] { return m_mesh.direction[h] + std::atan2(as_double(y), as_double(x)); });
-      m_front.arrive(h, W{ FT(0), m_mesh.length_of(h), x, y, offset, origin, false, true, true, 0.f });
+      m_cross.arrive(h, W{ FT(0), m_mesh.length_of(h), x, y, offset, origin, false, true, true, 0.f });
       to_next_frame(m_mesh, h, x, y);
       h = Mesh::next(h);
     }
@@ -139,7 +139,7 @@ public:
         FT t0(0), t1 = length;
         if(clip(ux, FT(-ua), FT(0), t0, t1) && clip(FT(-ux), FT(norm + ua), FT(0), t0, t1) &&
            clip(nx, FT(-na), slack, t0, t1))
-          m_front.arrive(h, W{ t0, t1, nx, FT(-ny), FT(offset - na), origin, true, true, true, 0.f });
+          m_cross.arrive(h, W{ t0, t1, nx, FT(-ny), FT(offset - na), origin, true, true, true, 0.f });
       }
       to_next_frame(m_mesh, h, ax, ay);
       to_next_frame(m_mesh, h, bx, by);
@@ -285,8 +285,8 @@ private:
   const Mesh& m_mesh;
   double m_allowed_error;
   Wavefront<FT> m_front;
-  Vertex_departure<FT> m_departure;
   Face_crossing<FT> m_cross;
+  Vertex_departure<FT> m_departure;
   std::vector<W> m_to_left, m_to_right;        // the windows that cross now, by the face that they cross
   std::size_t m_propagations = 0, m_passed = 0;
 };
