@@ -270,8 +270,8 @@ public:
    *     \cgalParamDefault{`0`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{keep_windows}
-   *     \cgalParamDescription{if `false`, windows are dropped as soon as the front has passed them. Then only distances
-   *                           at vertices can be asked for, and the memory needed is that of the front.}
+   *     \cgalParamDescription{if `false`, windows are kept on a part of the edges, until the front has passed them. Then only distances
+   *                           at vertices can be asked for, in about half the time, and the memory needed is that of the front.}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd

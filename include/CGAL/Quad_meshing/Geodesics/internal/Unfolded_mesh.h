@@ -112,23 +112,23 @@ private:
   void set_lengths()
   {
     length.resize(number_of_edges());
-    for(int e = 0; e < number_of_edges(); ++e)
-      length[e] = Difference(points[source(halfedge_of_edge[e])], points[target(halfedge_of_edge[e])]).norm();
-
     apex.resize(number_of_halfedges());
-    for(int h = 0; h < number_of_halfedges(); ++h)
+    for(int f = 0; f < number_of_faces(); ++f)
     {
-      const FT& l = length[edge_of[h]];
-      if(l == FT(0))
+      const Point_3 &p = points[corners[f][0]], &q = points[corners[f][1]], &r = points[corners[f][2]];
+      const Difference side[3] = { Difference(p, q), Difference(q, r), Difference(r, p) };
+      const FT square[3] = { side[0].dot(side[0]), side[1].dot(side[1]), side[2].dot(side[2]) };
+      // of each side and the next one
+      const FT dot[3] = { side[0].dot(side[1]), side[1].dot(side[2]), side[2].dot(side[0]) };
+      // the two shorter sides keep the digits of the area
+      const int longest = square[0] < square[1] ? (square[1] < square[2] ? 2 : 1) : (square[0] < square[2] ? 2 : 0);
+      const FT area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
+      for(int k = 0; k < 3; ++k)
       {
-        apex[h] = Apex{ FT(0), FT(0), FT(0) };
-        continue;
+        const FT l = square_root(square[k]);
+        length[edge_of[3 * f + k]] = l;
+        apex[3 * f + k] = l == FT(0) ? Apex{ FT(0), FT(0), FT(0) } : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l) };
       }
-      const Point_3 &p = points[source(h)], &q = points[target(h)], &r = points[target(next(h))];
-      const Difference u(p, q), from_p(p, r), from_q(q, r);
-      // the shorter side keeps the digits of the height
-      const Difference& side = from_p.dot(from_p) < from_q.dot(from_q) ? from_p : from_q;
-      apex[h] = Apex{ u.dot(from_p) / l, u.cross(side).norm() / l, u.dot(from_q) / l };
     }
   }
 
