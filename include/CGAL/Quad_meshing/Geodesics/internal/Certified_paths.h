@@ -64,9 +64,9 @@ public:
         m_upper[v] = m_sources.elements()[~origin].offset;
       else
       {
-        m_upper[v] = length_of_path(v, true);
-        if(! (m_upper[v] <= m_propagation.label(v).distance * (1 + 1e-12)))
-          m_upper[v] = (std::min)(m_upper[v], length_of_path(v, false));
+        for(Manner manner : { STRAIGHT, STRAIGHT_TO_ORIGIN, STEP_BY_STEP })
+          if(! (m_upper[v] <= m_propagation.label(v).distance * (1 + 1e-12)))
+            m_upper[v] = (std::min)(m_upper[v], length_of_path(v, manner));
       }
     }
     return m_upper;
@@ -92,9 +92,12 @@ private:
     return ! e.is_segment && e.from.carrier == Surface_point<double>::VERTEX ? e.from.simplex : -1;
   }
 
-  // An upper bound of the length of a path from a vertex to a source or to a vertex with a bound. If `straight`, windows are followed
-  // straight to their pseudo-sources, else the field is asked again in each face.
-  double length_of_path(int v, bool straight) const
+  // How windows are followed: straight to their pseudo-sources, beginning with the nearest one or, as rounding may prefer another one
+  // that the vertex hardly misses, with the one that has reached the vertex; or by asking the field again in each face.
+  enum Manner { STRAIGHT, STRAIGHT_TO_ORIGIN, STEP_BY_STEP };
+
+  // An upper bound of the length of a path from a vertex to a source or to a vertex with a bound.
+  double length_of_path(int v, Manner manner) const
   {
     double sum = 0;
     int face = 0, from = 0;
@@ -106,7 +109,7 @@ private:
         return added(sum, m_upper[here.vertex]);
       A a = A();
       if(here.vertex != -1)
-        a = m_queries.arrival_at_vertex(here.vertex, face);
+        a = m_queries.arrival_at_vertex(here.vertex, face, manner == STRAIGHT_TO_ORIGIN);
       else
       {
         const Surface_point<double> point{ Surface_point<double>::EDGE, from, here.part * m_mesh.length_of(from), 0. };
@@ -126,7 +129,7 @@ private:
       }
       Place next = on_edge(a.simplex, a.place);
       sum = added(sum, way(face, here, next));
-      if(next.vertex == -1 && straight)
+      if(next.vertex == -1 && manner != STEP_BY_STEP)
         sum = added(sum, go_straight(a, next));
       here = next;
       if(here.vertex == -1)

@@ -82,8 +82,8 @@ public:
     return best;
   }
 
-  // How a vertex is reached; `face` is set to a face in which the last piece lies.
-  A arrival_at_vertex(int v, int& face) const
+  // How a vertex is reached; `face` is set to a face in which the last piece lies. If `from_origin`, only from the pseudo-source of its label.
+  A arrival_at_vertex(int v, int& face, bool from_origin = false) const
   {
     A best{ A::NOWHERE, Propagation::unreached(), -1, FT(0), FT(0), FT(0), 0 };
     std::vector<int> fan;
@@ -92,7 +92,11 @@ public:
     {
       const int k = m_mesh.corners[f][0] == v ? 0 : m_mesh.corners[f][1] == v ? 1 : 2;
       const auto c = corner_place(m_mesh, f, k);
-      const A a = arrival(f, c.first, c.second, k);
+      A a{ A::NOWHERE, Propagation::unreached(), -1, c.first, c.second, FT(0), 0 };
+      if(! from_origin)
+        a = arrival(f, c.first, c.second, k);
+      else
+        try_windows(3 * f + (k + 1) % 3, c.first, c.second, a, false, m_propagation.label(v).origin);
       if(a.kind != A::NOWHERE && a.distance < best.distance)
       {
         best = a;
@@ -189,7 +193,8 @@ private:
     return ! e.is_segment && e.from.carrier == Point::VERTEX && e.from.simplex == v;
   }
 
-  void try_windows(int h, const FT& x0, const FT& y0, A& best) const
+  // Compares the windows on a halfedge with the best way so far, all of them or those from one pseudo-source.
+  void try_windows(int h, const FT& x0, const FT& y0, A& best, bool all = true, int origin = 0) const
   {
     const FT length = m_mesh.length_of(h);
     if(length == FT(0) || m_mesh.opposite[h] == -1)
@@ -207,7 +212,7 @@ private:
     const bool canonical = m_mesh.is_canonical(h);
     for(const Window<FT>& window : m_propagation.windows(m_mesh.edge_of[h]))
     {
-      if(window.from_left == canonical)
+      if(window.from_left == canonical || (! all && window.origin != origin))
         continue;
       Window<FT> w = window;
       if(! canonical)

@@ -31,7 +31,8 @@ namespace internal {
 // Let f be the distance that the field claims on the edges. If f(b) <= f(a) + |ab| for any two points a, b on the edges of any face, and
 // f is 0 on the sources, then no path to b is shorter than f(b): its pieces in the faces sum up. Rounding
 // leaves f(b) <= f(a) + |ab| + slack. As some shortest path meets no face twice, no distance is smaller than f minus
-// the slacks of all faces that the path may meet, which are those nearer than its end.
+// the slacks of all faces that the path may meet. These are nearer than its end, and the rest of the path is no shorter than the straight
+// line, which is looked at for the faces with the largest slacks: mostly, few of them violate the inequality by far.
 //
 // For one edge of a face and a window w on it, let F be the distance from the source of w when it is put on the outer side of
 // the edge. F(b) is the least of w(a) + |ab| over all a on the line, and the least over the window only if b lies
@@ -66,6 +67,7 @@ public:
         return lower;
       findings.push_back(examine(f));
     }
+    const std::vector<Finding> worst = take_worst(findings);
     std::sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return a.nearest < b.nearest; });
     double sum = 0, nearest_source = infinity;
     for(const Source_element<double>& e : m_sources.elements())
@@ -77,11 +79,18 @@ public:
     const double at_sources = sum;
     for(Finding& finding : findings)
       finding.slack = sum = (sum + finding.slack) * (1 + rounding());     // of this face and all nearer ones
-    // what a path shorter than d may lose
-    const auto loss = [&](double d)
+    double all = sum;
+    for(const Finding& finding : worst)
+      all = (all + finding.slack) * (1 + rounding());
+    // what a path to a vertex may lose in the faces where the field begins below d
+    const auto loss = [&](std::size_t v, double d)
     {
       const auto it = std::upper_bound(findings.begin(), findings.end(), d, [](double x, const Finding& f) { return x < f.nearest; });
-      return it == findings.begin() ? at_sources : it[-1].slack;
+      double slack = it == findings.begin() ? at_sources : it[-1].slack;
+      for(const Finding& finding : worst)
+        if(! (finding.nearest + straight_distance(finding.face, static_cast<int>(v)) > d))
+          slack = (slack + finding.slack) * (1 + rounding());
+      return slack;
     };
     for(std::size_t v = 0; v < upper.size(); ++v)
     {
@@ -92,10 +101,10 @@ public:
       }
       const double d = m_propagation.label(static_cast<int>(v)).distance;
       // a bound of the loss gives a bound of the distances that the field has on the path, and that a better bound
-      double e = sum;
+      double e = all;
       for(int i = 0; i < 20; ++i)
       {
-        const double smaller = loss(above(upper[v] + e));
+        const double smaller = loss(v, above(upper[v] + e));
         if(! (smaller < e))
           break;
         e = smaller;
@@ -109,12 +118,13 @@ public:
   struct Finding
   {
     double nearest, slack;
+    int face;
   };
 
   Finding examine(int face)
   {
     const Certified_face shape(m_mesh, face);
-    Finding finding{ std::numeric_limits<double>::infinity(), 0. };
+    Finding finding{ std::numeric_limits<double>::infinity(), 0., face };
     int reached = 0;
     for(int k = 0; k < 3; ++k)
       reached += m_propagation.is_reached(m_mesh.corners[face][k]);
@@ -122,7 +132,7 @@ public:
     {
       // a path from one vertex to the others is there
       if(reached > 0)
-        finding = Finding{ -finding.nearest, finding.nearest };
+        finding = Finding{ -finding.nearest, finding.nearest, face };
       return finding;
     }
 
@@ -159,6 +169,26 @@ public:
   }
 
 private:
+  // Moves the findings with the largest slacks out of all.
+  static std::vector<Finding> take_worst(std::vector<Finding>& findings)
+  {
+    const std::size_t n = (std::min)(findings.size(), std::size_t(256));
+    const auto end = findings.begin() + static_cast<std::ptrdiff_t>(n);
+    std::nth_element(findings.begin(), end, findings.end(), [](const Finding& a, const Finding& b) { return a.slack > b.slack; });
+    const std::vector<Finding> worst(findings.begin(), end);
+    findings.erase(findings.begin(), end);
+    return worst;
+  }
+
+  // A lower bound of the distance in space of a vertex from all points of a face.
+  double straight_distance(int face, int v) const
+  {
+    const auto& corners = m_mesh.corners[face];
+    const auto distance = [&](int a, int b) { return std::sqrt((m_mesh.points[a] - m_mesh.points[b]).squared_length()); };
+    const double farthest = (std::max)(distance(corners[0], corners[1]), distance(corners[0], corners[2])), d = distance(corners[0], v);
+    return d - farthest - 1e-12 * (d + farthest);
+  }
+
   // A ray into the face from the end of a window on one of its edges: the direction, in the frame of the halfedge, and how far the end is
   // from both ends of the edge. Each number has a rounding error of a few units.
   struct Ray
