@@ -23,6 +23,7 @@
 
 #include <boost/optional.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -704,6 +705,130 @@ void test_annihilation()
   }
 }
 
+// The dense projector of the sectors is that of the faces: closed surfaces with handles, aligned and free borders, holes, faces with
+// given directions, several components.
+void test_sector_potentials()
+{
+  namespace I = CGAL::Quad_meshing::internal;
+  std::cout << "sector potentials" << std::endl;
+  struct Case { Soup soup; bool is_aligned; int every; }; // of the faces, every so many-th is given
+  const Case cases[] = { { icosphere(1), true, 0 }, { torus(9, 6), true, 0 }, { double_ring(1), true, 0 }, { grid(4, 3), true, 0 },
+                         { grid_with_hole(8, 7, 3, 5, 2, 4), true, 0 }, { grid_with_hole(8, 7, 3, 5, 2, 4), false, 0 },
+                         { cylinder(8, 3, false), false, 0 }, { torus(9, 6), true, 17 }, { grid(6, 5), false, 11 },
+                         { two_components(2, 1), true, 0 } };
+  for(const Case& c : cases)
+  {
+    const Mesh tm = make_mesh<Mesh>(perturbed(c.soup, 0.02));
+    const I::Indexed_triangle_mesh m =
+      I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+    I::Field_problem problem(m);
+    for(int e = 0; e < m.number_of_edges(); ++e)
+      problem.aligned[e] = c.is_aligned && m.is_border_edge(e);
+    problem.constrain_faces_to_aligned_edges();
+    for(int f = 0; c.every > 0 && f < m.number_of_faces(); f += c.every)
+      problem.constrained[f] = 1;
+    problem.find_components();
+    problem.sectors = I::make_field_sectors(m, problem.aligned);
+    const I::Dual_laplacian laplacian(problem);
+    I::Sector_potentials potentials(problem, laplacian);
+    assert(potentials.is_small() && potentials.compute());
+    for(int i = 0; i < potentials.number_of_edges(); ++i)
+    {
+      Eigen::VectorXd column = Eigen::VectorXd::Zero(m.number_of_edges());
+      column[potentials.edge(i).edge] = 1;
+      laplacian.project(column);
+      I::Sector_potentials::State state = potentials.make_state();
+      potentials.add_column(i, 1.f, state);
+      for(int k = 0; k < potentials.number_of_edges(); ++k)
+        assert(std::abs(potentials.difference(k, state) - column[potentials.edge(k).edge]) < 1e-4);
+      assert(std::abs(potentials.edge(i).self - column[potentials.edge(i).edge]) < 1e-4);
+    }
+  }
+}
+
+// On small meshes the search ends at about the same energy whatever the order of the faces is, far below greedy rounding.
+void test_small_meshes()
+{
+  std::cout << "small meshes" << std::endl;
+  for(const Soup& shape : { perturbed(icosphere(3), 0.07), perturbed(torus(28, 14), 0.05), perturbed(double_ring(3), 0.07) })
+  {
+    Field f(shape);
+    const Result r = compute(f);
+    check(f, r);
+    Soup reversed = shape;
+    std::reverse(reversed.triangles.begin(), reversed.triangles.end());
+    Field g(reversed);
+    const Result s = compute(g);
+    check(g, s);
+    const Result greedy = compute(f, Method::GREEDY);
+    std::cout << "  " << r.energy << " " << s.energy << " greedy " << greedy.energy << std::endl;
+    assert((std::max)(r.energy, s.energy) < 0.93 * greedy.energy && std::abs(r.energy - s.energy) < 0.04 * r.energy);
+  }
+
+  // From where it has ended it goes on, never upwards, and it knows the quads of all sectors.
+  namespace I = CGAL::Quad_meshing::internal;
+  const Mesh tm = make_mesh<Mesh>(perturbed(icosphere(3), 0.07));
+  const I::Indexed_triangle_mesh m =
+    I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+  I::Field_problem problem(m);
+  problem.find_components();
+  problem.sectors = I::make_field_sectors(m, problem.aligned);
+  const I::Dual_laplacian laplacian(problem);
+  I::Cross_field field;
+  field.angle.assign(m.number_of_faces(), 0.);
+  I::round_jumps(problem, field);
+  laplacian.solve_angles(field);
+  const std::vector<double> no_costs(m.number_of_vertices(), 0.);
+  I::Sector_quads quads(problem, field, no_costs, 0.);
+  for(int i = 0; i < 3; ++i)
+  {
+    const double energy = problem.energy(field);
+    I::Jump_annealing anneal(problem, laplacian);
+    assert(anneal.is_affordable() && anneal(field, quads, [] { return true; }));
+    assert(problem.energy(field) < (i == 0 ? 0.5 * energy : energy + 1e-9));
+    assert(quads.state() == I::Sector_quads(problem, field, no_costs, 0.).state());
+  }
+}
+
+// The representation field is that of the surface and not of its triangles: in a square with directions on its border that turn around its
+// center, the singularity is there, however narrow the triangles are on one side.
+void test_surface_weights()
+{
+  std::cout << "surface weights" << std::endl;
+  typedef boost::optional<Vector_3> Direction;
+  for(int side = 0; side < 4; ++side)
+  {
+    auto graded = [&](double t) { return 2 * (t + 0.9 * t * (t - 1)) - 1; };
+    Field f(mapped(grid(40, 40, 1, 1), [&](const Point_3& p)
+    {
+      const double x = graded(p.x()), y = 2 * p.y() - 1;
+      return side == 0 ? Point_3(x, y, 0) : side == 1 ? Point_3(-y, x, 0) : side == 2 ? Point_3(-x, -y, 0) : Point_3(y, -x, 0);
+    }));
+    auto given = f.tm.add_property_map<Face, Direction>("f:given", Direction()).first;
+    for(Halfedge h : f.tm.halfedges())
+      if(f.tm.is_border(f.tm.opposite(h)))
+      {
+        const Point_3 c = CGAL::centroid(f.tm.point(f.tm.source(h)), f.tm.point(f.tm.target(h)), f.tm.point(f.tm.target(f.tm.next(h))));
+        const double a = std::atan2(c.y(), c.x()) / 4;
+        given[f.tm.face(h)] = Vector_3(std::cos(a), std::sin(a), 0);
+      }
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(
+      f.tm, f.angle, f.jump, f.index,
+      params::face_direction_map(given).align_boundary(false).cross_field_method(Method::REPRESENTATION));
+    assert(r.is_valid());
+    int inner = 0;
+    for(Vertex v : f.tm.vertices())
+      if(!f.tm.is_border(v) && f.index[v] != 0)
+      {
+        ++inner;
+        std::cout << "  " << f.tm.point(v) << std::endl;
+        // Two rows of triangles.
+        assert(f.index[v] == 1 && std::abs(f.tm.point(v).x()) < 0.15 && std::abs(f.tm.point(v).y()) < 0.15);
+      }
+    assert(inner == 1);
+  }
+}
+
 void test_input()
 {
   std::cout << "input" << std::endl;
@@ -827,6 +952,9 @@ int main()
   test_close_pairs();
   test_tips();
   test_annihilation();
+  test_sector_potentials();
+  test_small_meshes();
+  test_surface_weights();
   test_input();
   test_real_meshes();
   return EXIT_SUCCESS;

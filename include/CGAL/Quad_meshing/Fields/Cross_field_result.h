@@ -20,11 +20,11 @@ namespace Quad_meshing {
  */
 enum class Cross_field_method
 {
-  POLISHED, ///< the globally smoothest representation field, rounded, and a local search with exact gains (the default and the best)
+  POLISHED, ///< a search over the period jumps with exact gains that starts from a smooth representation field (the default and the best)
   GREEDY,   ///< the mixed-integer problem over a forest of dual trees, integers rounded one after the other, nearest first
   DIRECT,   ///< the same problem, all integers rounded at once
   NAIVE,    ///< as `GREEDY` with the exact solution of the system after every rounding: a yardstick
-  REPRESENTATION ///< the start of `POLISHED` alone: higher energy, more singularities, and often a less distorted integer-grid map
+  REPRESENTATION ///< the globally smoothest representation field, rounded, without a search: higher energy, more singularities, and often a less distorted integer-grid map
 };
 
 /*!
@@ -69,7 +69,7 @@ struct Cross_field_result
   std::string message;
   /// the smoothness energy, the sum of squared angle differences across inner edges
   double energy = 0;
-  /// the energy before the local search
+  /// the energy before the search
   double initial_energy = 0;
   /// the number of vertices with an index other than zero, corners of the border included
   int singularities = 0;

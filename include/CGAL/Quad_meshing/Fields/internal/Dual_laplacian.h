@@ -113,6 +113,28 @@ public:
         field.angle[f] = rhs[m_row[f]];
   }
 
+  // Projects a vector with one entry per edge: P times it.
+  void project(Eigen::VectorXd& x) const
+  {
+    const int n = number_of_unknowns();
+    if(n == 0)
+      return;
+    auto for_each_free_side = [&](const auto& side)
+    {
+      for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
+        if(m_problem.is_inner(e))
+        {
+          const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
+          if(i != -1) side(e, m_permutation.indices()[i], 1);
+          if(j != -1) side(e, m_permutation.indices()[j], -1);
+        }
+    };
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
+    for_each_free_side([&](int e, int row, int sign) { sums[row] += sign * x[e]; });
+    sums = m_cholesky.solve(sums).eval();
+    for_each_free_side([&](int e, int row, int sign) { x[e] -= sign * sums[row]; });
+  }
+
   // The vector y_e.
   Sparse_vector half_column(int e)
   {

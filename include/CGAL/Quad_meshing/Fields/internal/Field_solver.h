@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Fields/internal/Jump_annealing.h>
 #include <CGAL/Quad_meshing/Fields/internal/Jump_polish.h>
 #include <CGAL/Quad_meshing/Fields/internal/Mixed_integer_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/Representation_field.h>
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -100,12 +102,19 @@ private:
     if(!m_laplacian.is_valid())
       return Cross_field_status::NUMERICAL_FAILURE;
 
-    const bool polished = m_options.method == Cross_field_method::POLISHED;
+    const bool polished = m_options.method == Cross_field_method::POLISHED, is_for_quads = m_options.target_edge_length > 0;
+    const auto go_further = [&] { return m_visitor.go_further(); };
+    std::unique_ptr<Jump_annealing> anneal;
+    if(polished && !is_for_quads)
+    {
+      anneal.reset(new Jump_annealing(m_problem, m_laplacian));
+      if(!anneal->is_affordable())
+        anneal.reset();
+    }
+
     if(polished || m_options.method == Cross_field_method::REPRESENTATION)
     {
-      // More make the start smoother, but take longer, and the search ends no lower.
-      const int clusters = 6000;
-      if(!Representation_field(m_problem, clusters, !polished)(field.angle))
+      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), !polished)(field.angle))
         return Cross_field_status::NUMERICAL_FAILURE;
       round_jumps(m_problem, field);
     }
@@ -115,19 +124,22 @@ private:
     m_laplacian.solve_angles(field);
     Sector_quads quads(m_problem, field, m_costs, doublet_cost);
     // The search of the polished field finds better ways around vertices with less than three quads.
-    const int least_valence = m_options.target_edge_length > 0 && !polished ? 3 : 0;
+    const int least_valence = is_for_quads && !polished ? 3 : 0;
     if(quads.fill(field, least_valence))
       m_laplacian.solve_angles(field);
     result.initial_energy = m_problem.energy(field);
     if(!std::isfinite(result.initial_energy))
       return Cross_field_status::NUMERICAL_FAILURE;
     m_visitor.progress(0.5);
-    if(polished)
+    if(anneal)
     {
-      const auto go_further = [&] { return m_visitor.go_further(); };
+      if(!(*anneal)(field, quads, go_further))
+        return Cross_field_status::NUMERICAL_FAILURE;
+    }
+    else if(polished)
+    {
       // Singularities of high index are kept from each other first, even if smoothness alone is asked for, or single changes could
       // hardly part them.
-      const bool is_for_quads = m_options.target_edge_length > 0;
       if(is_for_quads || quads.has_closed_sector_with_less_than(2))
         m_polish(field, quads, go_further);
       if(!is_for_quads)
@@ -139,7 +151,7 @@ private:
     }
     if(!m_visitor.go_further())
       return Cross_field_status::STOPPED;
-    if(m_options.target_edge_length > 0)
+    if(is_for_quads)
       merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, quads, field);
     m_visitor.progress(1.);
 
@@ -149,8 +161,17 @@ private:
     return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
   }
 
-  // How many pairs of singularities the search may annihilate for a trial: so many that on small meshes they take about as long as
-  // all the rest, and enough for those of large ones.
+  // More make the start smoother, but take longer, and the search ends no lower. On the smallest meshes the start would take longer
+  // than the annealing.
+  int number_of_clusters(bool is_annealed) const
+  {
+    const int most = 6000, few_faces = 500;
+    const int faces = m_problem.mesh.number_of_faces();
+    return is_annealed && faces < few_faces ? faces / 4 + 1 : most;
+  }
+
+  // How many pairs of singularities the local search may annihilate for a trial: so many that on small meshes they take about as
+  // long as all the rest, and enough for those of large ones.
   int number_of_trials() const
   {
     return (std::min)(100, m_problem.mesh.number_of_faces() / 20);
