@@ -333,6 +333,24 @@ void test_twisted_meshes()
     }
 }
 
+// Few helices are left, in whichever way the search ends; and no curve with helices is multiplied beyond what is tolerated.
+void test_helices_become_few()
+{
+  std::cout << "helices become few" << std::endl;
+  std::size_t before = 0, after = 0;
+  for(unsigned int seed = 0; seed < 4; ++seed)
+  {
+    Mesh qm = graph(twisted(flat(SM::refined(irregular(), 4)), 12, seed));
+    const Result r = QM::optimize_quad_structure(qm, options().smoothing_iterations(0));
+    before += r.structure_before.number_of_helices;
+    after += r.structure_after.number_of_helices;
+    std::cout << "  " << r.structure_before.number_of_helices << " -> " << r.structure_after.number_of_helices << ", patches "
+              << r.structure_before.number_of_patches << " -> " << r.structure_after.number_of_patches << ", quads "
+              << r.structure_before.number_of_quads << " -> " << r.structure_after.number_of_quads << std::endl;
+  }
+  assert(before >= 20 && after <= 0.2 * before);
+}
+
 void test_features()
 {
   std::cout << "features" << std::endl;
@@ -457,6 +475,7 @@ int main()
   test_cubes_with_helices(QM::Structure_method::LAYOUT);
   test_cubes_with_helices(QM::Structure_method::HELICES);
   test_twisted_meshes();
+  test_helices_become_few();
   test_features();
   test_targets_and_experiments();
   test_other_graph_and_bad_input();

@@ -270,8 +270,9 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *                       of the input, before its dual curves are multiplied.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of layouts that are tried at random, from the first one on. More of them take more
- *                           time and find fewer patches and helices.}
+ *     \cgalParamDescription{the number of layouts that are tried at random in one round. There are up to six rounds, as long as
+ *                           more than a fifth of the helices is left or the shape of the quads is not accepted. More of them
+ *                           take more time and find fewer patches and helices.}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`10000`}
  *   \cgalParamNEnd

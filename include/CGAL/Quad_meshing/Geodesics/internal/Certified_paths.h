@@ -64,9 +64,11 @@ public:
         m_upper[v] = m_sources.elements()[~origin].offset;
       else
       {
+        double shortest = infinity();
         for(Manner manner : { STRAIGHT, STRAIGHT_TO_ORIGIN, STEP_BY_STEP })
-          if(! (m_upper[v] <= m_propagation.label(v).distance * (1 + 1e-12)))
-            m_upper[v] = (std::min)(m_upper[v], length_of_path(v, manner));
+          if(! (shortest <= m_propagation.label(v).distance * (1 + 1e-12)))
+            shortest = (std::min)(shortest, length_of_path(v, manner));
+        m_upper[v] = shortest;
       }
     }
     return m_upper;

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Certified_face.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Edge_distance.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Field_sources.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Slack_tree.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_propagation.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ namespace internal {
 // f is 0 on the sources, then no path to b is shorter than f(b): its pieces in the faces sum up. Rounding
 // leaves f(b) <= f(a) + |ab| + slack. As some shortest path meets no face twice, no distance is smaller than f minus
 // the slacks of all faces that the path may meet. These are nearer than its end, and the rest of the path is no shorter than the straight
-// line, which is looked at for the faces with the largest slacks: mostly, few of them violate the inequality by far.
+// line.
 //
 // For one edge of a face and a window w on it, let F be the distance from the source of w when it is put on the outer side of
 // the edge. F(b) is the least of w(a) + |ab| over all a on the line, and the least over the window only if b lies
@@ -67,31 +68,14 @@ public:
         return lower;
       findings.push_back(examine(f));
     }
-    const std::vector<Finding> worst = take_worst(findings);
-    std::sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return a.nearest < b.nearest; });
-    double sum = 0, nearest_source = infinity;
+    const Slack_tree slacks(std::move(findings));
+    double at_sources = 0, nearest_source = infinity;
     for(const Source_element<double>& e : m_sources.elements())
     {
       nearest_source = (std::min)(nearest_source, e.offset);
       if(! e.is_segment && e.from.carrier == Surface_point<double>::VERTEX)
-        sum = (std::max)(sum, (Number(m_propagation.label(e.from.simplex).distance) - Number(e.offset)).upper());
+        at_sources = (std::max)(at_sources, (Number(m_propagation.label(e.from.simplex).distance) - Number(e.offset)).upper());
     }
-    const double at_sources = sum;
-    for(Finding& finding : findings)
-      finding.slack = sum = (sum + finding.slack) * (1 + rounding());     // of this face and all nearer ones
-    double all = sum;
-    for(const Finding& finding : worst)
-      all = (all + finding.slack) * (1 + rounding());
-    // what a path to a vertex may lose in the faces where the field begins below d
-    const auto loss = [&](std::size_t v, double d)
-    {
-      const auto it = std::upper_bound(findings.begin(), findings.end(), d, [](double x, const Finding& f) { return x < f.nearest; });
-      double slack = it == findings.begin() ? at_sources : it[-1].slack;
-      for(const Finding& finding : worst)
-        if(! (finding.nearest + straight_distance(finding.face, static_cast<int>(v)) > d))
-          slack = (slack + finding.slack) * (1 + rounding());
-      return slack;
-    };
     for(std::size_t v = 0; v < upper.size(); ++v)
     {
       if(! m_propagation.is_reached(static_cast<int>(v)))
@@ -101,11 +85,11 @@ public:
       }
       const double d = m_propagation.label(static_cast<int>(v)).distance;
       // a bound of the loss gives a bound of the distances that the field has on the path, and that a better bound
-      double e = all;
+      double e = above(at_sources + slacks.all());
       for(int i = 0; i < 20; ++i)
       {
-        const double smaller = loss(v, above(upper[v] + e));
-        if(! (smaller < e))
+        const double smaller = above(at_sources + slacks.sum(m_mesh.points[v], above(upper[v] + e)));
+        if(! (smaller < 0.9 * e))
           break;
         e = smaller;
       }
@@ -114,17 +98,14 @@ public:
     return lower;
   }
 
-  // Looks at a face: nothing nearer than `nearest` is in it, and what it violates is at most `slack`.
-  struct Finding
-  {
-    double nearest, slack;
-    int face;
-  };
+  typedef Slack_tree::Finding Finding;
 
   Finding examine(int face)
   {
     const Certified_face shape(m_mesh, face);
-    Finding finding{ std::numeric_limits<double>::infinity(), 0., face };
+    Finding finding{ std::numeric_limits<double>::infinity(), 0., Bbox_3() };
+    for(int v : m_mesh.corners[face])
+      finding.box += m_mesh.points[v].bbox();
     int reached = 0;
     for(int k = 0; k < 3; ++k)
       reached += m_propagation.is_reached(m_mesh.corners[face][k]);
@@ -132,7 +113,10 @@ public:
     {
       // a path from one vertex to the others is there
       if(reached > 0)
-        finding = Finding{ -finding.nearest, finding.nearest, face };
+      {
+        finding.slack = finding.nearest;
+        finding.nearest = -finding.nearest;
+      }
       return finding;
     }
 
@@ -169,26 +153,6 @@ public:
   }
 
 private:
-  // Moves the findings with the largest slacks out of all.
-  static std::vector<Finding> take_worst(std::vector<Finding>& findings)
-  {
-    const std::size_t n = (std::min)(findings.size(), std::size_t(256));
-    const auto end = findings.begin() + static_cast<std::ptrdiff_t>(n);
-    std::nth_element(findings.begin(), end, findings.end(), [](const Finding& a, const Finding& b) { return a.slack > b.slack; });
-    const std::vector<Finding> worst(findings.begin(), end);
-    findings.erase(findings.begin(), end);
-    return worst;
-  }
-
-  // A lower bound of the distance in space of a vertex from all points of a face.
-  double straight_distance(int face, int v) const
-  {
-    const auto& corners = m_mesh.corners[face];
-    const auto distance = [&](int a, int b) { return std::sqrt((m_mesh.points[a] - m_mesh.points[b]).squared_length()); };
-    const double farthest = (std::max)(distance(corners[0], corners[1]), distance(corners[0], corners[2])), d = distance(corners[0], v);
-    return d - farthest - 1e-12 * (d + farthest);
-  }
-
   // A ray into the face from the end of a window on one of its edges: the direction, in the frame of the halfedge, and how far the end is
   // from both ends of the edge. Each number has a rounding error of a few units.
   struct Ray

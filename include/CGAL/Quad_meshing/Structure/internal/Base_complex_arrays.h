@@ -22,29 +22,55 @@ namespace internal {
 // that start at an irregular vertex, and the boundary.
 inline std::vector<char> separatrix_halfedges(const Indexed_quad_mesh& m)
 {
-  const std::vector<char> inner_regular = inner_regular_vertices(m);
+  const Vertex_regularity regularity(m);
   std::vector<char> is_separatrix(m.number_of_halfedges(), 0);
   for(int h = 0; h < m.number_of_halfedges(); ++h)
     if(m.is_border(h))
       is_separatrix[h] = 1;
 
-  std::vector<char> irregular(m.number_of_vertices(), 0);
-  for(int v = 0; v < m.number_of_vertices(); ++v)
-    irregular[v] = is_irregular(m, v);
   for(int start = 0; start < m.number_of_halfedges(); ++start)
   {
-    if(!irregular[m.source(start)] || m.is_border(start))
+    if(!regularity.is_irregular[m.source(start)] || m.is_border(start))
       continue;
     // straight on: over an inner regular vertex the second edge counterclockwise
     for(int h = start; !is_separatrix[h]; )
     {
       is_separatrix[h] = is_separatrix[m.opposite[h]] = 1;
-      if(!inner_regular[m.target(h)])
+      if(!regularity.is_inner_regular[m.target(h)])
         break;
       h = m.next(m.opposite[m.next(h)]);
     }
   }
   return is_separatrix;
+}
+
+// The number of faces of the base complex alone.
+inline int number_of_base_complex_patches(const Indexed_quad_mesh& m)
+{
+  const std::vector<char> is_separatrix = separatrix_halfedges(m);
+  std::vector<char> seen(m.number_of_faces(), 0);
+  std::vector<int> stack;
+  int patches = 0;
+  for(int start = 0; start < m.number_of_faces(); ++start)
+  {
+    if(seen[start])
+      continue;
+    ++patches;
+    seen[start] = 1;
+    stack.push_back(start);
+    while(!stack.empty())
+    {
+      const int f = stack.back();
+      stack.pop_back();
+      for(int h = 4 * f; h < 4 * f + 4; ++h)
+        if(!is_separatrix[h] && !seen[m.opposite[h] / 4])
+        {
+          seen[m.opposite[h] / 4] = 1;
+          stack.push_back(m.opposite[h] / 4);
+        }
+    }
+  }
+  return patches;
 }
 
 // The cell complex that the separatrices cut out of a quad mesh.

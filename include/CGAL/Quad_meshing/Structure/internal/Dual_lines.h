@@ -64,13 +64,34 @@ struct Dual_lines
   }
 };
 
-// A vertex that lines pass straight: inside with four edges.
+// The vertices that lines pass straight, inside with four edges, and those that are irregular; by counting corners, without
+// walking around each vertex.
+struct Vertex_regularity
+{
+  std::vector<char> is_inner_regular, is_irregular;
+
+  explicit Vertex_regularity(const Indexed_quad_mesh& m)
+    : is_inner_regular(m.number_of_vertices()), is_irregular(m.number_of_vertices())
+  {
+    std::vector<int> corners(m.number_of_vertices(), 0);
+    std::vector<char> on_border(m.number_of_vertices(), 0);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+    {
+      ++corners[m.source(h)];
+      if(m.is_border(h))
+        on_border[m.source(h)] = on_border[m.target(h)] = 1;
+    }
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+    {
+      is_inner_regular[v] = !on_border[v] && corners[v] == 4;
+      is_irregular[v] = corners[v] > 0 && corners[v] != (on_border[v] ? 2 : 4);
+    }
+  }
+};
+
 inline std::vector<char> inner_regular_vertices(const Indexed_quad_mesh& m)
 {
-  std::vector<char> regular(m.number_of_vertices());
-  for(int v = 0; v < m.number_of_vertices(); ++v)
-    regular[v] = !m.is_border_vertex(v) && m.valence(v) == 4;
-  return regular;
+  return Vertex_regularity(m).is_inner_regular;
 }
 
 // Four edges inside and three on the border are regular.

@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +35,9 @@ public:
   // Largest distance of a chord of a feature from it, in edges of the mesh that is made, and how much of one
   // may be missing in the number of chords that this takes.
   static constexpr double feature_distance = 0.1, spared_chord = 0.2;
+
+  // No limit for the number of parallel curves.
+  static constexpr int any_multiplicity = (std::numeric_limits<int>::max)();
 
   std::vector<int> of_edge;             // per edge of the subdivision of the arcs
   std::vector<double> edge_length;      // per curve: mean length of the edges that it crosses, in edges of the input
@@ -66,6 +71,7 @@ public:
     }
 
     edge_length.assign(crossings.size(), 0);
+    m_largest.assign(crossings.size(), any_multiplicity);
     m_bend.assign(crossings.size(), 0);
     for_each_edge([&](int curve, double l) { edge_length[curve] += l / crossings[curve]; });
     double squared = 0;
@@ -85,6 +91,9 @@ public:
   {
     for_each_feature_edge(bends, [&](int curve, double, double bend) { m_bend[curve] = (std::max)(m_bend[curve], bend); });
   }
+
+  // Limits how many parallel ones replace each curve, unless it takes more to follow a feature.
+  void limit_multiplicities(std::vector<int> largest) { m_largest = std::move(largest); }
 
   // How far features are from the edges when each curve is replaced by so many: by how much their distance exceeds
   // the largest one, in units of this; mean over the length of the features.
@@ -121,8 +130,8 @@ public:
     for(std::size_t c = 0; c < edge_length.size(); ++c)
     {
       const double chords = std::sqrt(m_bend[c] / (8 * feature_distance * aim));
-      result.push_back((std::max)((std::max)(1, static_cast<int>(std::floor(edge_length[c] / aim + 0.5))),
-                                  static_cast<int>(std::ceil(chords - spared_chord))));
+      const int even = (std::min)((std::max)(1, static_cast<int>(std::floor(edge_length[c] / aim + 0.5))), m_largest[c]);
+      result.push_back((std::max)(even, static_cast<int>(std::ceil(chords - spared_chord))));
     }
     return result;
   }
@@ -147,6 +156,8 @@ public:
     });
     for(int c : order)
     {
+      if(multiplicity[c] >= m_largest[c])
+        continue;
       ++multiplicity[c];
       if(!fits(lengths(multiplicity)))
         --multiplicity[c];
@@ -180,6 +191,7 @@ private:
 
   const Layout_quantization& m_quantization;
   const std::vector<int>& m_length;
+  std::vector<int> m_largest;           // per curve: largest number of parallel ones
   std::vector<double> m_bend;           // per curve: largest bend of a feature edge that it crosses and has to follow
 };
 

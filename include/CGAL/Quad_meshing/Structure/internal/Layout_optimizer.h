@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_search.h>
@@ -54,25 +55,26 @@ public:
     if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
       return;
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
-    Layout_search search(m_input.mesh, m_structure, *m_quantization, m_bends, m_input.is_fixed);
+    m_search.reset(new Layout_search(m_input.mesh, m_structure, *m_quantization, m_bends, m_input.is_fixed));
     const double quads_per_irregular_vertex =
       m_merge_singularities ? Layout_search::quads_when_merging : Layout_search::quads_per_irregular_vertex;
     const int quads = static_cast<int>((std::min)(quads_per_irregular_vertex * m_structure.number_of_irregular_vertices,
                                                   Layout_search::largest_part * m_structure.number_of_quads));
     int scales = 0;
-    search.shorten(quads, m_target_patches, [&]
+    m_search->shorten(quads, m_target_patches, [&]
     {
       if(++scales % scales_between == 0)
         m_layouts.push_back(m_quantization->length);
     }, go_further);
     m_layouts.push_back(m_quantization->length);
-    int attempt = 0;
-    search.anneal(attempts, m_target_patches, m_layouts, [&]
-    {
-      progress(double(++attempt) / attempts);
-      return go_further();
-    });
-    m_layouts.push_back(m_quantization->length);
+    m_search->anneal(attempts, m_target_patches, m_layouts, reporting(attempts, go_further, progress));
+  }
+
+  // Looks for others, whose shape is better; false if this has been done too often.
+  template <typename GoFurther, typename Progress>
+  bool search_again(int attempts, const GoFurther& go_further, const Progress& progress)
+  {
+    return m_search && m_search->anneal_with_caution(attempts, m_layouts, reporting(attempts, go_further, progress));
   }
 
   // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
@@ -90,10 +92,22 @@ public:
   }
 
 private:
+  template <typename GoFurther, typename Progress>
+  auto reporting(int attempts, const GoFurther& go_further, const Progress& progress)
+  {
+    return [&, attempts]
+    {
+      progress((std::min)(1., double(++m_attempts) / m_search->number_of_rounds() / attempts));
+      return go_further();
+    };
+  }
+
   bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result) const
   {
     Layout_curves curves(quantization, layout);
     curves.follow(m_bends);
+    const Layout_realization itself(m_input.mesh, quantization, layout, m_input.is_fixed, Layout_realization::TOPOLOGY);
+    curves.limit_multiplicities(Layout_helices(itself, curves).largest_multiplicities(m_structure.number_of_helices));
     std::vector<int> length = curves.densest_lengths(least_edge_length, [&](const std::vector<int>& l)
     {
       return fits(quantization, l) && quantization.number_of_quads(l) <= m_target_quads;
@@ -178,7 +192,8 @@ private:
   Feature_bends m_bends;
   std::unique_ptr<Layout_quantization> m_quantization;
   std::vector<std::vector<int> > m_layouts;
-  long m_border_edges = 0;
+  std::unique_ptr<Layout_search> m_search;
+  long m_border_edges = 0, m_attempts = 0;
 };
 
 } // namespace internal

@@ -118,12 +118,16 @@ public:
         }
       if(worst == -1)
         return;
-      if(!change(worst, -1, scale, 0, true))
+      // much at once, as far as the other arcs allow it
+      int by = -(std::max)(1, static_cast<int>(worst_excess / 2));
+      while(by < -1 && !change(worst, by, scale, 0, true))
+        by /= 2;
+      if(by == -1 && !change(worst, by, scale, 0, true))
         has_failed[worst] = 1;
     }
   }
 
-  // Adds `by`, 1 or -1, to the lengths along a cheap path across an arc; false if none is found, or with
+  // Adds `by` to the lengths along a cheap path across an arc; false if none is found, or with
   // `only_with_gain` if the lengths would fit worse to the scale. The path is cheap if the lengths fit to the
   // scale afterwards, and if it crosses few edges of the input, each of which costs `edge_cost`.
   bool change(int arc, int by, double scale, double edge_cost, bool only_with_gain)
@@ -133,8 +137,8 @@ public:
       for(std::size_t a = 0; a < length.size(); ++a)
       {
         const Motorcycle_complex::Arc& x = m_complex.arcs[a];
-        forbidden[a] = length[a] == 0
-          || (length[a] == 1 && m_rules.is_special[x.nodes[0]] && m_rules.is_special[x.nodes[1]]);
+        forbidden[a] = length[a] < -by
+          || (length[a] == -by && m_rules.is_special[x.nodes[0]] && m_rules.is_special[x.nodes[1]]);
       }
     if(forbidden[arc])
       return false;
@@ -151,7 +155,7 @@ public:
       int conflict = -1;
       for(int a : path)
       {
-        if(by < 0 && times[a] > length[a])
+        if(length[a] + by * times[a] < 0)
           conflict = a;
         sum += gain(a, by * times[a], scale) / times[a];
       }
@@ -161,9 +165,11 @@ public:
           return false;
         for(int a : path)
           length[a] += by;
-        // longer arcs do not merge anything
-        const Check c = by > 0 ? Check() : check();
-        if(by > 0 || (c.is_allowed && c.euler_characteristic == m_euler_characteristic))
+        // longer arcs do not merge anything, nor does anything else as long as no arc has vanished
+        if(by > 0 || std::find(length.begin(), length.end(), 0) == length.end())
+          return true;
+        const Check c = check();
+        if(c.is_allowed && c.euler_characteristic == m_euler_characteristic)
           return true;
         // the longest of those that have vanished stays
         for(int a : path)

@@ -162,7 +162,8 @@ private:
     std::array<std::vector<int>, 4> points, edges;
     for(int k = 0; k < 4; ++k)
     {
-      place[k] = places_on(p.sides[k]);
+      if(m_kind == GEOMETRY)
+        place[k] = places_on(p.sides[k]);
       m_subdivision.points_of(p.sides[k], points[k]);
       m_subdivision.edges_of(p.sides[k], edges[k]);
     }

@@ -10,11 +10,10 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_SEARCH_H
 
 #include <CGAL/Quad_meshing/Structure/internal/Base_complex_arrays.h>
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
 #include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
-#include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
 #include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
@@ -37,11 +36,15 @@ public:
   // Weights against the number of patches, as a part of what there is at first: of the number of helices without and with
   // crossings, as parts of those of the input, of the distortion, of how far features are not followed, and of the part of
   // the quads of the input that is missing when the curves are multiplied.
-  static constexpr double helix_weight = 8, crossing_weight = 0.5, distortion_weight = 1, feature_weight = 5, missing_weight = 1.5;
+  static constexpr double helix_weight = 2, crossing_weight = 0.5, distortion_weight = 2, feature_weight = 5, missing_weight = 1.5;
   // Numbers of helices below which one of them does not weigh more.
   static constexpr int few_helices = 5;
+  // How much more helices weigh that are not tolerated.
+  static constexpr double excess_helix_weight = 6;
   // Part of the patches of the input above which more of them cost so much more.
-  static constexpr double most_patches = 0.3, excess_weight = 5;
+  static constexpr double most_patches = 0.33, excess_weight = 15;
+  // Factor of the weight of the distortion when the shape was not accepted.
+  static constexpr double caution = 3;
 
   static constexpr double forbidden = (std::numeric_limits<double>::max)();
 
@@ -50,7 +53,7 @@ public:
     : m(input), m_structure(structure), m_quantization(quantization), m_bends(bends), m_is_fixed(is_fixed)
   {}
 
-  int number_of_patches() const { return make_base_complex(realization().mesh).number_of_patches; }
+  int number_of_patches() const { return number_of_base_complex_patches(realization().mesh); }
 
   // Measures by a first layout what is many; `largest_patches` must not be exceeded, unless it is 0.
   void start(std::size_t largest_patches)
@@ -61,54 +64,61 @@ public:
     m_largest_quads = 2 * m_quantization.number_of_quads(m_quantization.length);
   }
 
+  // From now on layouts may be distorted less.
+  void avoid_distortion() { m_caution *= caution; }
+
   // The cost of the layout, or some number above `limit` if it is above that.
   double operator()(double limit) const
   {
     if(m_quantization.number_of_quads(m_quantization.length) > m_largest_quads)
       return forbidden;
     const Layout_curves curves(m_quantization, m_quantization.length);
-    std::vector<int> multiplicities;
-    for(double l : curves.edge_length)
-      multiplicities.push_back((std::max)(1, static_cast<int>(l)));
-    const double quads = m_quantization.number_of_quads(curves.lengths(multiplicities));
-    double cost = distortion_weight * curves.distortion + feature_weight * curves.feature_misfit(m_bends, multiplicities)
-                + missing_weight * (std::max)(0., 1 - quads / m.number_of_faces());
+    double cost = m_caution * distortion_weight * curves.distortion;
     if(cost > limit)
       return cost;
 
     const Layout_realization r = realization();
-    const int patches = make_base_complex(r.mesh).number_of_patches;
-    if(patches > m_largest_patches)
-      return forbidden;
-    cost += double(patches) / m_first_patches
-          + excess_weight * (std::max)(0., patches / (most_patches * m_structure.number_of_patches) - 1);
+    const Layout_helices helices(r, curves);
+    const std::vector<int> multiplicities = multiplicities_of(curves, helices);
+    const double n = helices.number_of_helices(multiplicities);
+    cost += (helix_weight * n + excess_helix_weight * (std::max)(0., n - most_helices())) / at_least_few(m_structure.number_of_helices)
+          + feature_weight * curves.feature_misfit(m_bends, multiplicities);
     if(cost > limit)
       return cost;
 
-    // a helix is as many as its curve when edges get the length of those of the input
-    const Dual_lines lines(r.mesh);
-    std::vector<double> multiplicity(lines.number_of_lines(), 1);
-    for(std::size_t e = 0; e < curves.of_edge.size(); ++e)
-      if(r.side_of_edge[e] != -1)
-      {
-        const int l = lines.line[r.side_of_edge[e]];
-        multiplicity[l] = multiplicity[lines.reverse[l]] = curves.edge_length[curves.of_edge[e]];
-      }
-    const std::vector<Side_relation> relation = side_relations(r.mesh, lines);
-    auto helices = [&](bool may_cross_itself)
-    {
-      double n = 0;
-      for(const Helix_record& h : minimal_helices(r.mesh, lines, relation, may_cross_itself))
-        n += multiplicity[h.line];
-      const std::size_t before = may_cross_itself ? m_structure.number_of_helices_with_crossings
-                                                  : m_structure.number_of_helices;
-      return n / (std::max)(few_helices, static_cast<int>(before));
-    };
-    cost += helix_weight * helices(false);
-    return cost > limit ? cost : cost + crossing_weight * helices(true);
+    const double quads = m_quantization.number_of_quads(curves.lengths(multiplicities));
+    const int patches = number_of_base_complex_patches(r.mesh);
+    if(patches > m_largest_patches)
+      return forbidden;
+    cost += missing_weight * (std::max)(0., 1 - quads / m.number_of_faces()) + double(patches) / m_first_patches
+          + excess_weight * (std::max)(0., patches / (most_patches * m_structure.number_of_patches) - 1);
+    return cost > limit ? cost : cost + crossing_weight * helices.number_of_helices_with_crossings(multiplicities)
+                                      / at_least_few(m_structure.number_of_helices_with_crossings);
+  }
+
+  // Whether no more helices are left than are tolerated.
+  bool has_few_helices() const
+  {
+    const Layout_curves curves(m_quantization, m_quantization.length);
+    const Layout_realization r = realization();
+    const Layout_helices helices(r, curves);
+    return helices.number_of_helices(multiplicities_of(curves, helices)) <= most_helices();
   }
 
 private:
+  // So many parallel curves give edges the length of those of the input.
+  std::vector<int> multiplicities_of(const Layout_curves& curves, const Layout_helices& helices) const
+  {
+    std::vector<int> result = helices.largest_multiplicities(m_structure.number_of_helices);
+    for(std::size_t c = 0; c < result.size(); ++c)
+      result[c] = (std::min)(result[c], (std::max)(1, static_cast<int>(curves.edge_length[c])));
+    return result;
+  }
+
+  double most_helices() const { return Layout_helices::tolerated_part * m_structure.number_of_helices; }
+
+  static double at_least_few(std::size_t n) { return (std::max)(few_helices, static_cast<int>(n)); }
+
   Layout_realization realization() const
   {
     return Layout_realization(m, m_quantization, m_quantization.length, m_is_fixed, Layout_realization::TOPOLOGY);
@@ -119,6 +129,7 @@ private:
   const Layout_quantization& m_quantization;
   const Feature_bends& m_bends;
   const std::vector<char>& m_is_fixed;
+  double m_caution = 1;
   int m_first_patches = 1, m_largest_patches = 0, m_largest_quads = 0;
 };
 
@@ -139,17 +150,27 @@ public:
   // Factor between two scales, the largest one, and after how many at which nothing has become shorter no more are tried.
   static constexpr double scale_step = 1.05, largest_scale = 100;
   static constexpr int futile_scales = 15;
-  // A worse layout is taken with probability exp(-difference / temperature), the temperature falling from this to 0.
-  static constexpr double first_temperature = 0.1;
-  // How many layouts are kept for the case that the best one does not fit the shape.
+  // A worse layout is taken with probability exp(-difference / temperature), the temperature falling by the same factor
+  // from step to step. Each round begins cooler than the one before.
+  static constexpr double first_temperature = 0.7, last_temperature = 0.1;
+  // How often the search begins anew, with the best layout so far, as long as more helices are left than are tolerated or the
+  // shape is not accepted; less often on large meshes, whose layouts take longer: as often as they have together so many
+  // quads.
+  // And how often before the shape is looked at.
+  static constexpr int rounds_at_once = 2;
+  static constexpr int largest_number_of_rounds = 6, quads_of_all_rounds = 60000;
+  // How many layouts of each round are kept for the case that the best one does not fit the shape.
   static constexpr int largest_number_of_runners_up = 24;
   // Largest cost of an edge of the input on a path that is changed; it is varied to find different paths.
   static constexpr double largest_edge_cost = 0.2;
 
   Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, Layout_quantization& quantization,
                 const Feature_bends& bends, const std::vector<char>& is_fixed)
-    : m_quantization(quantization), m_cost(mesh, structure, quantization, bends, is_fixed)
+    : m_quantization(quantization), m_cost(mesh, structure, quantization, bends, is_fixed),
+      m_most_rounds((std::max)(1, (std::min)(largest_number_of_rounds, quads_of_all_rounds / mesh.number_of_faces())))
   {}
+
+  int number_of_rounds() const { return m_most_rounds; }
 
   // Shortens the arcs until there are at most so many patches, or with `patches` 0 so many quads. Calls
   // `record()` after each scale.
@@ -172,31 +193,63 @@ public:
     }
   }
 
-  // Tries so many layouts; ends with the best one. `runners_up` gets what was the best one for a while, the best last.
+  // Tries so many layouts in each round; ends with the best one. `runners_up` gets what was the best one for a while, the
+  // best last.
   template <typename GoFurther>
   void anneal(int attempts, std::size_t target_patches, std::vector<std::vector<int> >& runners_up,
               const GoFurther& go_further)
   {
-    std::vector<int>& length = m_quantization.length;
-    if(length.empty())
-      return;
     m_cost.start(target_patches);
-    Random random(0);
+    anneal_further(attempts, runners_up, go_further);
+  }
+
+  // Goes on, as the shape of those so far was not accepted; false if there have been too many rounds.
+  template <typename GoFurther>
+  bool anneal_with_caution(int attempts, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  {
+    if(m_rounds >= m_most_rounds)
+      return false;
+    m_cost.avoid_distortion();
+    anneal_further(attempts, runners_up, go_further);
+    return true;
+  }
+
+private:
+  template <typename GoFurther>
+  void anneal_further(int attempts, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  {
+    if(m_quantization.length.empty())
+      return;
+    bool again = true;
+    for(int round = 0; round < rounds_at_once && again && go_further(); ++round)
+    {
+      anneal_once(attempts, runners_up, go_further);
+      again = ++m_rounds < m_most_rounds && !m_cost.has_few_helices();
+    }
+    if(runners_up.empty() || runners_up.back() != m_quantization.length)
+      runners_up.push_back(m_quantization.length);
+  }
+
+  template <typename GoFurther>
+  void anneal_once(int attempts, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  {
+    std::vector<int>& length = m_quantization.length;
     double now = m_cost(Layout_cost::forbidden), best = now;
     std::vector<int> best_length = length, before;
+    const double hottest = (std::max)(last_temperature, first_temperature / (1 + m_rounds));
     for(int i = 0; i < attempts && go_further(); ++i)
     {
       before = length;
-      const int paths = random.get_double() < 0.6 ? 1 : 2;
+      const int paths = m_random.get_double() < 0.6 ? 1 : 2;
       bool changed = true;
       for(int k = 0; k < paths && changed; ++k)
       {
-        const double r = random.get_double();
-        const int arc = random.get_int(0, static_cast<int>(length.size()));
-        changed = m_quantization.change(arc, random.get_bool() ? 1 : -1, m_scale, largest_edge_cost * r * r, false);
+        const double r = m_random.get_double();
+        const int arc = m_random.get_int(0, static_cast<int>(length.size()));
+        changed = m_quantization.change(arc, m_random.get_bool() ? 1 : -1, m_scale, largest_edge_cost * r * r, false);
       }
-      const double temperature = first_temperature * (1 - double(i) / attempts);
-      const double limit = now - temperature * std::log(1 - random.get_double());
+      const double temperature = hottest * std::pow(last_temperature / hottest, double(i) / attempts);
+      const double limit = now - temperature * std::log(1 - m_random.get_double());
       const double c = changed ? m_cost(limit) : Layout_cost::forbidden;
       if(c <= limit)
         now = c;
@@ -212,14 +265,14 @@ public:
         runners_up.push_back(best_length);
     }
     length = best_length;
-    if(!runners_up.empty() && runners_up.back() == length)
-      runners_up.pop_back();
   }
 
-private:
   Layout_quantization& m_quantization;
   Layout_cost m_cost;
+  Random m_random{ 0 };
   double m_scale = 1;
+  int m_most_rounds, m_rounds = 0;
+
 };
 
 } // namespace internal

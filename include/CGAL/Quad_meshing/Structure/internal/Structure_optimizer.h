@@ -57,6 +57,15 @@ public:
 
   const Score& score() const { return m_score; }
 
+  static Score score_of(const Indexed_quad_mesh& m)
+  {
+    Score s;
+    s.patches = number_of_base_complex_patches(m);
+    const Dual_lines lines(m);
+    s.helices = static_cast<int>(minimal_helices(m, lines, side_relations(m, lines)).size());
+    return s;
+  }
+
   // Goes on from another mesh.
   void set_state(Structure_state s)
   {
@@ -148,15 +157,6 @@ public:
   }
 
 private:
-  static Score score_of(const Indexed_quad_mesh& m)
-  {
-    Score s;
-    s.patches = make_base_complex(m).number_of_patches;
-    const Dual_lines lines(m);
-    s.helices = static_cast<int>(minimal_helices(m, lines, side_relations(m, lines)).size());
-    return s;
-  }
-
   bool m_merge_singularities;
   Helix_unwinding m_unwind;
   int m_quads_of_input;
