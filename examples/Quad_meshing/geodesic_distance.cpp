@@ -263,7 +263,7 @@ int distances(int argc, char* argv[])
     ("epsilon", po::value<double>()->default_value(0), "relative error allowed, 0 for exact distances")
     ("certified", "enclose each distance in an interval that is guaranteed to contain it, and write the intervals")
     ("enclosures-out", po::value<std::string>(), "file for the intervals, the lower and the upper bound of each vertex in a line; default: OUT.enclosures.txt")
-    ("vertices-only", "keep no windows: half the time and a quarter of the memory, for distances alone")
+    ("vertices-only", "keep no windows: less time and memory, for distances alone")
     ("refine", po::value<double>(), "refine the mesh until linear interpolation of the distance is good to this length "
                                     "(OUT must be .ply)")
     ("isolines", po::value<double>(), "write the isolines of all multiples of this distance as polylines, on the refined mesh if there is one")

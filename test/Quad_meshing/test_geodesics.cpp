@@ -8,6 +8,7 @@
 
 #include "geodesics_meshes.h"
 
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -835,7 +836,7 @@ void test_degenerate_faces()
 // The same algorithm with fifty digits tells the rounding errors of double; with known distances it shows that it has the digits.
 void test_more_digits()
 {
-  std::cout << "fifty digits" << std::endl;
+  std::cout << "fifty digits, and all of them" << std::endl;
   typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type, boost::multiprecision::et_off> Number;
   for(const Soup& soup : { perturbed(torus(12, 8), 0.03, 2), icosphere(2), cylinder(8, 4, false), grid(6, 6) })
   {
@@ -857,6 +858,18 @@ void test_more_digits()
   precise.propagate();
   const Number side = Number(tm.point(q).x()) - Number(tm.point(p).x());
   assert(abs(precise.distance_value(q) - side * sqrt(Number(5))) < Number(1e-15));
+
+  // exact roots, on a mesh that is small enough for them
+  const Mesh square = make_mesh(grid(2, 2));
+  CGAL::Quad_meshing::Geodesic_distance_field<Mesh, CORE::Expr> exact(square);
+  exact.add_source(Vertex(0));
+  assert(exact.propagate());
+  const Point_3 o = square.point(Vertex(0));
+  for(Vertex v : square.vertices())
+  {
+    const CORE::Expr x = CORE::Expr(square.point(v).x()) - CORE::Expr(o.x()), y = CORE::Expr(square.point(v).y()) - CORE::Expr(o.y());
+    assert(exact.distance_value(v) == sqrt(x * x + y * y));
+  }
 }
 
 void test_other_graphs()

@@ -56,7 +56,8 @@ namespace Quad_meshing {
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam FT the number type of the windows: `double`, or a binary floating point type of more digits such as
- *         `boost::multiprecision::cpp_bin_float_50`, with as much smaller rounding errors
+ *         `boost::multiprecision::cpp_bin_float_50`, with as much smaller rounding errors, or an exact type with square roots
+ *         such as `CORE::Expr`, for meshes of a few triangles
  *
  * \sa `refine_distance_field()`
  */
@@ -271,7 +272,7 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{keep_windows}
    *     \cgalParamDescription{if `false`, windows are kept on a part of the edges, until the front has passed them. Then only distances
-   *                           at vertices can be asked for, in about half the time, and the memory needed is that of the front.}
+   *                           at vertices can be asked for, from few sources in about half the time, and the memory needed is that of the front.}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd

@@ -9,6 +9,8 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_NUMBER_FUNCTIONS_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_NUMBER_FUNCTIONS_H
 
+#include <CGAL/number_utils.h>
+
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -18,7 +20,7 @@ namespace Quad_meshing {
 namespace internal {
 
 // What the windows need of a number type: arithmetic, comparisons, a square root found by argument
-// dependent lookup, explicit conversion to double, and `std::numeric_limits`. CGAL's own functions
+// dependent lookup, conversion to double, explicit or by `CGAL::to_double()`, and `std::numeric_limits`. CGAL's own functions
 // know double but not the floating point types of Boost.Multiprecision.
 
 template <typename FT>
@@ -33,13 +35,15 @@ FT absolute(const FT& x) { return x < FT(0) ? FT(-x) : x; }
 inline double absolute(double x) { return std::fabs(x); }
 
 template <typename FT>
-double as_double(const FT& x) { return static_cast<double>(x); }
+std::enable_if_t<std::is_constructible<double, const FT&>::value, double> as_double(const FT& x) { return static_cast<double>(x); }
+template <typename FT>
+std::enable_if_t<! std::is_constructible<double, const FT&>::value, double> as_double(const FT& x) { return CGAL::to_double(x); }
 
-// A tolerance that is 10^-d for double, and as much smaller for a type of more digits.
+// A tolerance that is 10^-d for double, as much smaller for a type of more digits, and zero for an exact type.
 template <typename FT>
 double tolerance_of_digits(double d)
 {
-  return std::pow(10., -d * std::numeric_limits<FT>::digits10 / std::numeric_limits<double>::digits10);
+  return std::numeric_limits<FT>::digits10 == 0 ? 0. : std::pow(10., -d * std::numeric_limits<FT>::digits10 / std::numeric_limits<double>::digits10);
 }
 
 } // namespace internal
