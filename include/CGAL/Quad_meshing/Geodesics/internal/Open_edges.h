@@ -11,8 +11,7 @@
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 
-#include <algorithm>
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

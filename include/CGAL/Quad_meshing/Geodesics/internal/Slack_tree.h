@@ -63,6 +63,9 @@ private:
   // Faces closer together than this part of the path are not told apart.
   static double resolution() { return 0.02; }
 
+  // For the rounding of distances and their sums, relative to them.
+  static double margin() { return 1e-12; }
+
   static double added(double a, double b) { return (a + b) * (1 + std::ldexp(1., -48)); }
 
   int make(std::size_t begin, std::size_t end)
@@ -126,7 +129,7 @@ private:
       const double d = (std::max)({ 0., box.min(k) - p[k], p[k] - box.max(k) });
       square += d * d;
     }
-    return nearest + std::sqrt(square) * (1 - 1e-12) > length + 1e-12 * std::fabs(length);
+    return nearest + std::sqrt(square) * (1 - margin()) > length + margin() * std::fabs(length);
   }
 
   std::vector<Finding> m_findings;
