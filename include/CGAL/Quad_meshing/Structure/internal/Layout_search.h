@@ -156,9 +156,9 @@ public:
   // How often the search begins anew, with the best layout so far, as long as more helices are left than are tolerated or the
   // shape is not accepted; less often on large meshes, whose layouts take longer: as often as they have together so many
   // quads.
+  static constexpr int largest_number_of_rounds = 6, quads_of_all_rounds = 60000;
   // And how often before the shape is looked at.
   static constexpr int rounds_at_once = 2;
-  static constexpr int largest_number_of_rounds = 6, quads_of_all_rounds = 60000;
   // How many layouts of each round are kept for the case that the best one does not fit the shape.
   static constexpr int largest_number_of_runners_up = 24;
   // Largest cost of an edge of the input on a path that is changed; it is varied to find different paths.
@@ -272,7 +272,6 @@ private:
   Random m_random{ 0 };
   double m_scale = 1;
   int m_most_rounds, m_rounds = 0;
-
 };
 
 } // namespace internal
