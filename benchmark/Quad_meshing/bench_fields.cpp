@@ -9,7 +9,8 @@
 // Cross fields without constraints on a mesh and its decimations to 200, 1000 and 2000 triangles: the numbers of
 // integers and reals, then time and energy of every method (the shape of Table 5.1 of Bommes 2012), and the energy and time of
 // the default method relative to the others. The column 1e-3 is greedy rounding with its three levels alone, at that
-// tolerance. Times are the smallest of several runs.
+// tolerance. Times are the smallest of several runs, from the mesh to the field.
+// Where there are few integers, a lower bound says how much is left to gain.
 //
 //   bench_fields [mesh, default meshes/elephant.off of CGAL's data] [most triangles for naive rounding, default 2000]
 
@@ -18,6 +19,7 @@
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
+#include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -68,16 +70,33 @@ Figures compute(Mesh& tm, QM::Cross_field_method method)
 
 Figures compute_with_three_levels(const Mesh& tm)
 {
-  const Problem problem = field_problem(tm);
   return fastest([&]
   {
+    CGAL::Real_timer timer;
+    timer.start();
+    const Problem problem = field_problem(tm);
     const QM::Mixed_integer_solution s = QM::solve_mixed_integer(problem,
       CGAL::parameters::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0).rounding_tolerance(1e-3));
     Figures figures;
     figures.energy = s.energy;
-    figures.seconds = s.seconds;
+    figures.seconds = timer.time();
     return figures;
   });
+}
+
+// The relaxation takes long with more integers.
+const int most_relaxed_integers = 150;
+
+void print_lower_bound(Mesh& tm, double greedy_energy)
+{
+  const int rounds = 12;
+  auto angle = tm.add_property_map<Mesh::Face_index, double>("f:angle").first;
+  auto period_jump = tm.add_property_map<Mesh::Edge_index, int>("e:period_jump").first;
+  auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index").first;
+  const QM::Cross_field_result r =
+    QM::smooth_cross_field(tm, angle, period_jump, index, CGAL::parameters::number_of_bound_rounds(rounds));
+  std::printf("%18s no field has less energy than %.4f, %.4f of the best one and %.4f of that of greedy rounding; proven in %.3f s\n", "",
+              r.lower_bound, r.lower_bound / r.energy, r.lower_bound / greedy_energy, r.seconds);
 }
 
 void print(const Figures& f)
@@ -130,6 +149,8 @@ int main(int argc, char* argv[])
     else
       std::printf(" %8s", "-");
     std::printf(" | %8.4f %8.4f\n", polished.seconds / greedy.seconds, polished.seconds / coarse.seconds);
+    if(polished.integers <= most_relaxed_integers)
+      print_lower_bound(tm, greedy.energy);
     valid = valid && polished.is_valid && greedy.is_valid && direct.is_valid && naive.is_valid;
   }
   return valid ? 0 : 1;

@@ -58,6 +58,9 @@ struct Step_limit : QM::Default_visitor
   bool go_further() { return ++steps < maximum; }
 };
 
+// Of the relaxation that raises lower bounds. With more integers it takes long.
+const int bound_rounds = 8, most_relaxed_integers = 250;
+
 void print(const char* name, const Solution& s, double factorization)
 {
   std::printf("  %-22s %10.4g s %9.1f x %14.6f %14.6f", name, s.seconds, s.seconds / factorization,
@@ -109,6 +112,9 @@ void run(const std::string& name, const Problem& problem)
       if(s.status == Solution::OPTIMAL)
         break;
     }
+    if(problem.number_of_integers() <= most_relaxed_integers)
+      print("  and relaxation", QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+        .number_of_bound_rounds(bound_rounds)), factorization);
   }
   std::printf("\n");
 }
@@ -144,6 +150,12 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
     std::printf(" %9.3f %6.2f %% %-8s %8.4f %8.1f", s.lower_bound,
                 100. * (s.energy - s.lower_bound) / s.energy, QM::status_name(s.status), s.energy / greedy.energy,
                 s.seconds / factorization);
+    if(s.status != Solution::OPTIMAL && integers <= most_relaxed_integers)
+    {
+      const Solution t = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+        .number_of_bound_rounds(bound_rounds));
+      std::printf(" | %9.3f %6.2f %% %8.3f", t.lower_bound, 100. * (t.energy - t.lower_bound) / t.energy, t.seconds);
+    }
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -151,9 +163,9 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
 
 void print_header(const char* title)
 {
-  std::printf("%s\n%-20s %6s %6s | %17s | %17s | %17s | %17s | %17s %9s %8s %-8s %8s %8s\n", title, "", "discr.", "cont.",
+  std::printf("%s\n%-20s %6s %6s | %17s | %17s | %17s | %17s | %17s %9s %8s %-8s %8s %8s | %9s %8s %8s\n", title, "", "discr.", "cont.",
               "direct s / E", "greedy s / E", "tol. 1e-3 s / E", "naive s / E", "lattice s / E", "bound", "gap", "", "E/greedy",
-              "t/factor");
+              "t/factor", "relaxed", "gap", "seconds");
 }
 
 void print_tables(const std::string& name, const Mesh& tm, int naive_limit)

@@ -190,6 +190,7 @@ int solve(int argc, char* argv[])
     ("method", po::value<Text>()->default_value("greedy"), method_list.c_str())
     ("time-limit", po::value<double>()->default_value(1e9), "seconds that the search for integers may take")
     ("node-limit", po::value<double>()->default_value(3e7), "nodes or subproblems that the search may visit")
+    ("bound-rounds", po::value<double>()->default_value(0), "rounds that raise the lower bound of lattice rounding")
     ("gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")
     ("selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")
     ("branching", po::value<Text>()->default_value("pseudo-costs"),
@@ -208,6 +209,7 @@ int solve(int argc, char* argv[])
   const QM::Branching_rule branching = QM::Branching_rule(
     args.choice("branching", { "minimum-infeasibility", "maximum-infeasibility", "pseudo-costs" }));
   const double time_limit = args.number("time-limit", 0., 1e9), node_limit = args.number("node-limit", 0., 1e18);
+  const int bound_rounds = static_cast<int>(args.number("bound-rounds", 0., 1e6));
   const double gap = args.number("gap", 0., 1.);
   for(const char* output : { "out", "json" })
     if(args.has(output))
@@ -217,7 +219,7 @@ int solve(int argc, char* argv[])
   command_line::Progress_bar progress;
   const QM::Mixed_integer_solution solution = QM::solve_mixed_integer(problem,
     CGAL::parameters::rounding_method(method).maximum_running_time(time_limit).maximum_number_of_nodes(node_limit)
-      .relative_gap_tolerance(gap).subproblem_selection(selection).branching_rule(branching)
+      .number_of_bound_rounds(bound_rounds).relative_gap_tolerance(gap).subproblem_selection(selection).branching_rule(branching)
       .visitor(std::ref(progress)));
 
   std::cout.precision(12);

@@ -276,6 +276,9 @@ void brute_force(const Soup& shape, int box)
   }
   std::cout << "  energy " << r.energy << ", best " << r.energy + best << std::endl;
   assert(best > -1e-9);
+
+  const double bound = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::number_of_bound_rounds(6)).lower_bound;
+  assert(r.lower_bound == 0 && bound <= r.energy + 1e-9 && bound > 0.98 * r.energy - 1e-9);
 }
 
 void test_brute_force()
@@ -763,6 +766,16 @@ void test_small_meshes()
     const Result greedy = compute(f, Method::GREEDY);
     std::cout << "  " << r.energy << " " << s.energy << " greedy " << greedy.energy << std::endl;
     assert((std::max)(r.energy, s.energy) < 0.93 * greedy.energy && std::abs(r.energy - s.energy) < 0.04 * r.energy);
+  }
+
+  // A lower bound proves that not much is left to gain, even where given faces, whose own differences count, meet.
+  for(const Soup& shape : { perturbed(icosphere(1), 0.1), shaken(grid(6, 4), 0.08) })
+  {
+    Field f(shape);
+    const auto rounds = params::number_of_bound_rounds(6).edge_is_constrained_map(f.feature);
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, rounds);
+    std::cout << "  " << r.energy << ", at least " << r.lower_bound << std::endl;
+    assert(r.lower_bound <= r.energy + 1e-9 && r.lower_bound > 0.9 * r.energy);
   }
 
   // From where it has ended it goes on, never upwards, and it knows the quads of all sectors.

@@ -701,6 +701,78 @@ void test_lattice_bounds(CGAL::Random& random)
     }
 }
 
+// A lattice with a triangular factor and a point to find neighbors of.
+struct Lattice
+{
+  Eigen::MatrixXd R;
+  Eigen::VectorXd target;
+
+  Lattice(CGAL::Random& random, int size, double coupling)
+    : R(Eigen::MatrixXd::Zero(size, size)), target(size)
+  {
+    for(int i = 0; i < size; ++i)
+    {
+      R(i, i) = uniform(random, 0.5, 2.);
+      for(int j = i + 1; j < size; ++j)
+        R(i, j) = coupling * uniform(random, -1., 1.);
+      target[i] = uniform(random, -3., 3.);
+    }
+  }
+
+  double squared_distance() const
+  {
+    double radius = std::numeric_limits<double>::infinity();
+    QM::internal::Lattice_enumeration(R, target).run(radius, 1e8, []() { return true; });
+    return radius;
+  }
+
+  double bound(double known, int rounds) const
+  {
+    return QM::internal::Lattice_bound(R, target, known).run(rounds, []() { return true; });
+  }
+};
+
+// The bound by relaxation lies below the nearest lattice point and not far below, whatever the scale, even if only a farther
+// point is known.
+void test_relaxed_bounds(CGAL::Random& random)
+{
+  double product = 1;
+  int trials = 0;
+  for(int size : { 1, 2, 3, 5, 8, 20 })
+    for(double coupling : { 0., 0.5, 2. })
+      for(int trial = 0; trial < 8; ++trial, ++trials)
+      {
+        Lattice lattice(random, size, coupling);
+        const double truth = lattice.squared_distance(), bound = lattice.bound(truth, 8);
+        assert(bound <= truth * (1 + 1e-12) && bound > 0.5 * truth);
+        assert(lattice.bound(3 * truth, 8) <= truth * (1 + 1e-12));
+        product *= std::pow(bound / truth, 1. / 144);
+        lattice.R *= 1e-5;
+        assert(is_close(1e10 * lattice.bound(1e-10 * truth, 8), bound));
+      }
+  std::cout << "  " << trials << " lattices, mean ratio to the truth " << product << std::endl;
+  assert(trials == 144 && product > 0.95);
+
+  // In the middle between the points of the lattice of integers; no enumeration could prove that.
+  const int size = 90;
+  Lattice cubic(random, size, 0.);
+  cubic.R.setIdentity();
+  cubic.target.setConstant(0.5);
+  const double bound = cubic.bound(size * 0.25, 1);
+  assert(bound > 0.998 * size * 0.25 && bound <= size * 0.25);
+  assert(cubic.bound(size * 0.25, 0) == 0);
+
+  // Few nodes leave a gap that the relaxation narrows.
+  const Problem problem = grid_problem(random, 20, 100);
+  const auto few_nodes = params::rounding_method(QM::LATTICE_ROUNDING).maximum_number_of_nodes(2e4);
+  const Solution s = solve_and_check(problem, few_nodes), t = solve_and_check(problem, few_nodes.number_of_bound_rounds(6));
+  const Solution best = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+  std::cout << "  relaxed " << s.relaxed_energy << ", enumeration " << s.lower_bound << ", relaxation " << t.lower_bound << ", best known "
+            << best.energy << std::endl;
+  assert(s.status == Solution::FEASIBLE && t.energy == s.energy && t.lower_bound <= best.energy);
+  assert(best.energy - t.lower_bound < 0.4 * (best.energy - s.lower_bound));
+}
+
 // The energy over the integers is the energy of the whole with the best real variables.
 void test_integer_energy(CGAL::Random& random)
 {
@@ -991,6 +1063,7 @@ int main()
   test_lattice_of_many_integers(random);
   std::cout << "bounds" << std::endl;
   test_lattice_bounds(random);
+  test_relaxed_bounds(random);
   std::cout << "energy of integers" << std::endl;
   test_integer_energy(random);
   std::cout << "other linear solver" << std::endl;

@@ -50,6 +50,7 @@
 //   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
 //                                                 deviations sum up to less than one half; true
 //   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
+//   number_of_bound_rounds          int           rounds of the relaxation that raises a lower bound; 0
 //   maximum_number_of_nodes         double        nodes of a search after which the best solution so far is taken; 3e7
 //   relative_gap_tolerance          double        relative gap of energy and bound at which a search ends; 1e-9
 //   subproblem_selection            Subproblem_selection  order of the subproblems of branch-and-bound; BEST_BOUND
@@ -86,6 +87,7 @@
   CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations, conjugate_gradient_iterations)\
   CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding, simultaneous_rounding)   \
   CGAL_add_named_parameter(maximum_dense_integers_t, maximum_dense_integers, maximum_dense_integers)\
+  CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds, number_of_bound_rounds)\
   CGAL_add_named_parameter(maximum_number_of_nodes_t, maximum_number_of_nodes, maximum_number_of_nodes)\
   CGAL_add_named_parameter(relative_gap_tolerance_t, relative_gap_tolerance, relative_gap_tolerance)\
   CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \

@@ -69,6 +69,8 @@ struct Cross_field_result
   std::string message;
   /// the smoothness energy, the sum of squared angle differences across inner edges
   double energy = 0;
+  /// a proven lower bound of the energy of all cross fields with the same given directions; 0 unless it was asked for
+  double lower_bound = 0;
   /// the energy before the search
   double initial_energy = 0;
   /// the number of vertices with an index other than zero, corners of the border included

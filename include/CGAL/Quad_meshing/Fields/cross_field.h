@@ -101,6 +101,12 @@ namespace Quad_meshing {
  *     \cgalParamType{`Cross_field_method`}
  *     \cgalParamDefault{`Cross_field_method::POLISHED`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_bound_rounds}
+ *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes of at most a few hundred triangles:
+ *       six take some seconds with 100 integers, and the time grows like the cube of the integers. See `solve_mixed_integer()`.}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`0`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and may stop them, see `Default_visitor`}
  *     \cgalParamType{a class like `Default_visitor`, passed with `std::ref()`}
@@ -154,6 +160,7 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   internal::Field_options options;
   options.method = choose_parameter(get_parameter(np, internal_np::cross_field_method), Cross_field_method::POLISHED);
   options.target_edge_length = to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.));
+  options.number_of_bound_rounds = choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds), 0);
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
 
   Real_timer timer;

@@ -94,6 +94,13 @@ exception is thrown and nothing is printed.
     \cgalParamType{`double`}
     \cgalParamDefault{`3e7`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_bound_rounds}
+    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE_ROUNDING` where the
+                          enumeration has not proven the optimum. A round adds as many inequalities as there are integers; six take some
+                          seconds with 100 integers, and the time grows like the cube of the integers.}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the number of seconds that the search for integers may take after the factorization.
                           Results that meet this limit depend on the machine.}
@@ -161,6 +168,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                                     options.maximum_dense_integers);
   options.maximum_number_of_nodes = choose_parameter(get_parameter(np, internal_np::maximum_number_of_nodes),
                                                      options.maximum_number_of_nodes);
+  options.number_of_bound_rounds = choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds),
+                                                    options.number_of_bound_rounds);
   options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                   options.maximum_running_time);
   options.relative_gap_tolerance = choose_parameter(get_parameter(np, internal_np::relative_gap_tolerance),

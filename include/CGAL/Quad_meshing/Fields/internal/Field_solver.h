@@ -33,6 +33,7 @@ struct Field_options
 {
   Cross_field_method method = Cross_field_method::POLISHED;
   double target_edge_length = 0; // 0: none
+  int number_of_bound_rounds = 0;
 };
 
 // Sets all period jumps to the nearest integers for the given angles.
@@ -158,6 +159,8 @@ private:
     result.empty_sectors = quads.number_of_empty_sectors();
     m_problem.normalize(field);
     result.energy = m_problem.energy(field);
+    if(m_options.number_of_bound_rounds > 0)
+      result.lower_bound = Mixed_integer_field(m_problem).lower_bound(m_options.number_of_bound_rounds, go_further);
     return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
   }
 

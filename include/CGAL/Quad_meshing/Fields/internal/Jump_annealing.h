@@ -46,8 +46,9 @@ public:
   template <typename Go_further>
   bool operator()(Cross_field& field, Sector_quads& quads, const Go_further& go_further)
   {
-    // Later ones hardly ever gain. On small meshes they take about as long as all the rest.
-    const int falls = (std::max)(6, m_potentials.number_of_rows() / 16);
+    // Later ones hardly ever gain. On small meshes they take about as long as all the rest; on larger ones, where the time of each
+    // grows with the square of the size, fewer are worth it.
+    const int rows = m_potentials.number_of_rows(), falls = (std::max)(6, (std::min)(rows / 16, 16000 / (rows + 1)));
 
     if(!m_potentials.compute())
       return false;

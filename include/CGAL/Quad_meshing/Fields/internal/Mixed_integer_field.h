@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Quad_meshing authors
+
 #ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_MIXED_INTEGER_FIELD_H
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_MIXED_INTEGER_FIELD_H
 
@@ -12,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -44,6 +46,29 @@ public:
   int number_of_integers() const { return m_system.number_of_integers(); }
   const Mixed_integer_problem& system() const { return m_system; }
 
+  // No field has less energy.
+  template <typename Go_further>
+  double lower_bound(int rounds, const Go_further& go_further) const
+  {
+    // Enumeration proves little here; most of the time belongs to the relaxation.
+    const double nodes = 1e5;
+
+    double between_given_faces = 0;
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+      if(m_problem.is_inner(e) && is_between_given_faces(e))
+      {
+        const double r = m_problem.frames.kappa(e) + m_problem.given_angle[m_problem.first_face(e)] + quarter_turn * fixed_jump(e)
+                         - m_problem.given_angle[m_problem.second_face(e)];
+        between_given_faces += r * r;
+      }
+    if(m_system.number_of_variables() == 0)
+      return between_given_faces;
+    Question<Go_further> question{ go_further };
+    const double bound = solve_mixed_integer(m_system, parameters::rounding_method(LATTICE_ROUNDING).maximum_number_of_nodes(nodes)
+      .number_of_bound_rounds(rounds).visitor(std::ref(question))).lower_bound;
+    return between_given_faces + (std::max)(0., bound);
+  }
+
   // Sets the field to the solution found by a method for mixed-integer problems. Returns false if there is none.
   bool solve(Rounding_method method, Cross_field& field) const
   {
@@ -64,6 +89,19 @@ public:
   }
 
 private:
+  template <typename Go_further>
+  struct Question : Default_visitor
+  {
+    const Go_further& ask;
+    explicit Question(const Go_further& go_further) : ask(go_further) {}
+    bool go_further() { return ask(); }
+  };
+
+  bool is_between_given_faces(int e) const
+  {
+    return m_problem.constrained[m_problem.first_face(e)] && m_problem.constrained[m_problem.second_face(e)];
+  }
+
   // The jump between two given faces is the nearest integer, on the forest it is zero.
   int fixed_jump(int e) const
   {
@@ -136,7 +174,7 @@ private:
       if(!m_problem.is_inner(e))
         continue;
       const int f = m_problem.first_face(e), g = m_problem.second_face(e);
-      if(m_problem.constrained[f] && m_problem.constrained[g])
+      if(is_between_given_faces(e))
         continue;
       if(!m_in_forest[e])
         m_jump_variable[e] = m_system.add_variable(true);

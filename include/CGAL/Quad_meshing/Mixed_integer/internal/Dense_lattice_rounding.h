@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_DENSE_LATTICE_ROUNDING_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_DENSE_LATTICE_ROUNDING_H
 
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_bound.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_rounding.h>
 
 #include <Eigen/Cholesky>
@@ -26,13 +27,14 @@ namespace internal {
 
 // Minimizes E(y) = 1/2 (y - y*)' S (y - y*) over integers of any number that a dense S allows, independent components
 // one by one: as a whole, with a proof or a bound, unless a component is very large; and, if there is no proof, in overlapping
-// blocks, each decoded with all other integers fixed, until no block gains.
+// blocks, each decoded with all other integers fixed, until no block gains. The bound of what is not proven may then be raised by a
+// relaxation.
 class Dense_lattice_rounding
 {
 public:
-  Dense_lattice_rounding(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, double maximum_nodes,
+  Dense_lattice_rounding(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, double maximum_nodes, int bound_rounds,
                          const std::function<bool()>& go_further)
-    : m_S(S), m_target(target), m_maximum_nodes(maximum_nodes), m_go_further(go_further)
+    : m_S(S), m_target(target), m_maximum_nodes(maximum_nodes), m_bound_rounds(bound_rounds), m_go_further(go_further)
   {}
 
   // `start` is an integer point to beat.
@@ -119,16 +121,20 @@ private:
     const Eigen::MatrixXd R = Eigen::LLT<Eigen::MatrixXd>(S).matrixU();
     Lattice_rounding rounding(R, target, component.size() > block_size ? whole_fraction * maximum_nodes : maximum_nodes, m_go_further);
     result = rounding.run(result.y, true);
-    if(result.is_optimal || component.size() <= block_size)
+    if(result.is_optimal)
       return result;
-
-    result.nodes += improve_in_blocks(S, target, result.y, (maximum_nodes - result.nodes) / 2);
     const Eigen::MatrixXd& reduced = rounding.reduction().factor();
     const Eigen::VectorXd reduced_target = rounding.reduction().coordinates(target);
-    Eigen::VectorXd z = rounding.reduction().coordinates(result.y).array().round();
-    result.nodes += improve_in_blocks(reduced.transpose() * reduced, reduced_target, z, maximum_nodes - result.nodes);
-    result.y = rounding.reduction().transformation() * z;
-    result.cost = cost(S, result.y - target);
+    if(component.size() > block_size)
+    {
+      result.nodes += improve_in_blocks(S, target, result.y, (maximum_nodes - result.nodes) / 2);
+      Eigen::VectorXd z = rounding.reduction().coordinates(result.y).array().round();
+      result.nodes += improve_in_blocks(reduced.transpose() * reduced, reduced_target, z, maximum_nodes - result.nodes);
+      result.y = rounding.reduction().transformation() * z;
+      result.cost = cost(S, result.y - target);
+    }
+    const double bound = 0.5 * Lattice_bound(reduced, reduced_target, 2 * result.cost).run(m_bound_rounds, m_go_further);
+    result.cost_bound = (std::min)(result.cost, (std::max)(result.cost_bound, bound));
     return result;
   }
 
@@ -205,6 +211,7 @@ private:
   const Eigen::MatrixXd& m_S;
   const Eigen::VectorXd& m_target;
   double m_maximum_nodes;
+  int m_bound_rounds;
   const std::function<bool()>& m_go_further;
 };
 

@@ -175,7 +175,8 @@ private:
     m_z = schur.complete(greedy);
     if(is_unbounded())
       return;
-    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes, go_further);
+    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes,
+                                   m_options.number_of_bound_rounds, go_further);
     const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);
     m_solution.nodes = result.nodes;

@@ -30,6 +30,7 @@ struct Solver_options
   int maximum_dense_integers = 1000;
   double maximum_running_time = std::numeric_limits<double>::infinity();
   double maximum_number_of_nodes = 3e7;
+  int number_of_bound_rounds = 0;
   double relative_gap_tolerance = 1e-9;
   Subproblem_selection subproblem_selection = BEST_BOUND;
   Branching_rule branching_rule = PSEUDO_COSTS;
