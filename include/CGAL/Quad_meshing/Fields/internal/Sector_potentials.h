@@ -16,9 +16,10 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -122,43 +123,30 @@ public:
   }
 
 private:
-  // Trees of a forest with their roots found by path halving.
-  struct Forest
-  {
-    std::vector<int> up;
-    explicit Forest(int n) : up(n) { std::iota(up.begin(), up.end(), 0); }
-    int root(int i)
-    {
-      while(up[i] != i)
-        i = up[i] = up[up[i]];
-      return i;
-    }
-    bool join(int i, int j)
-    {
-      i = root(i);
-      j = root(j);
-      up[(std::min)(i, j)] = (std::max)(i, j);
-      return i != j;
-    }
-  };
-
   // A spanning forest of the faces, the given ones taken as one, and one of the sectors that crosses none of its edges. Every edge
   // that is in neither closes a loop of sectors, and the harmonic parts of these loops are a basis. (A set of
   // sectors that only edges of the first forest connected with the rest would have a coboundary in it, and that is a cycle.)
   void grow_forests()
   {
     const int nf = m_problem.mesh.number_of_faces();
-    Forest faces(nf + 1), sectors(m_size + 1);
+    boost::disjoint_sets_with_storage<> faces(nf + 1), sectors(m_size + 1);
+    auto join = [](boost::disjoint_sets_with_storage<>& sets, int i, int j)
+    {
+      const bool were_apart = sets.find_set(i) != sets.find_set(j);
+      sets.union_set(i, j);
+      return were_apart;
+    };
     auto face = [&](int f) { return m_problem.constrained[f] ? nf : f; };
     for(int i = 0; i < number_of_edges(); ++i)
     {
       const int e = m_edges[i].edge;
-      if(faces.join(face(m_problem.first_face(e)), face(m_problem.second_face(e))))
+      if(join(faces, face(m_problem.first_face(e)), face(m_problem.second_face(e))))
         continue;
-      (sectors.join(m_edges[i].giver, m_edges[i].taker) ? m_sector_forest : m_loops).push_back(i);
+      (join(sectors, m_edges[i].giver, m_edges[i].taker) ? m_sector_forest : m_loops).push_back(i);
     }
+    const int of_zeros = static_cast<int>(sectors.find_set(m_size));
     for(int r = 0; r < m_size; ++r)
-      if(sectors.root(r) == r)
+      if(static_cast<int>(sectors.find_set(r)) == r && r != of_zeros)
         m_anchors.push_back(r); // of a component without a row of zeros
   }
 
