@@ -65,7 +65,7 @@ void check_without_windows(const Mesh& tm, Field& field, double tolerance = 1e-1
     assert(field.distance(v) == expected[v] || std::fabs(field.distance(v) - expected[v]) <= tolerance * expected[v]);
 }
 
-double windows_per_edge(const Mesh& tm, const Result& result) { return double(result.number_of_windows) / tm.number_of_edges(); }
+double windows_per_edge(const Mesh& tm, const Field& field) { return double(field.number_of_windows()) / tm.number_of_edges(); }
 
 // In the plane the distance is that of the plane; rays run through vertices, fronts tie, and no vertex
 // is a saddle: windows that continue each other become one.
@@ -84,7 +84,7 @@ void test_points_in_the_plane()
       field.add_source(Vertex(source));
       const Result result = field.propagate();
       assert(result && result.number_of_unreached_vertices == 0);
-      assert(windows_per_edge(tm, result) < 3);
+      assert(windows_per_edge(tm, field) < 3);
       const Point_3 p = tm.point(Vertex(source));
       assert(largest_error(tm, field, [&](Vertex v) { return distance(p, tm.point(v)); }) < 1e-12);
       check_without_windows(tm, field);
@@ -98,7 +98,7 @@ void test_points_in_the_plane()
       Field field(tm);
       field.add_source(source, 0.25);
       const Result result = field.propagate();
-      assert(windows_per_edge(tm, result) < 3);
+      assert(windows_per_edge(tm, field) < 3);
       const Point_3 p = point(tm, source);
       assert(largest_error(tm, field, [&](Vertex v) { return 0.25 + distance(p, tm.point(v)); }) < 1e-12);
 
@@ -468,6 +468,57 @@ void test_sampled_polyline()
   assert(excess < 0.01 * spacing * tm.number_of_vertices());
 }
 
+// Windows are kept on some edges only; those of the others are made when one asks for them. The distance that
+// they tell on each edge is that of another implementation.
+void test_windows_of_all_edges()
+{
+  std::cout << "windows of all edges" << std::endl;
+  typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_path;
+  for(const Soup& soup : { icosphere(3), perturbed(torus(24, 12), 0.03, 2), perturbed(grid_with_hole(12, 12, 4, 8, 3, 9), 0.03, 6), l_prism(3) })
+  {
+    const Mesh tm = make_mesh(soup);
+    Field field(tm);
+    Shortest_path reference(tm);
+    const auto add = [&](const Location& l) { field.add_source(l); reference.add_source_point(l.first, l.second); };
+    add(Location(Mesh::Face_index(7), {{ 0.2, 0.5, 0.3 }}));
+    add(Location(Mesh::Face_index(60), {{ 0.4, 0.1, 0.5 }}));
+    add(Location(Mesh::Face_index(90), {{ 0, 1, 0 }}));
+    const Result result = field.propagate();
+    std::size_t n = 0;
+    for(auto e : tm.edges())
+    {
+      std::vector<Field::Window> windows;
+      field.windows(e, std::back_inserter(windows));
+      n += windows.size();
+      const auto h = tm.is_border(tm.halfedge(e)) ? tm.opposite(tm.halfedge(e)) : tm.halfedge(e);
+      const double l = distance(tm.point(tm.source(h)), tm.point(tm.target(h)));
+      for(std::size_t i = 0; i < windows.size(); ++i)
+        assert(windows[i].begin < windows[i].end && windows[i].begin >= (i == 0 ? 0. : windows[i - 1].end - 1e-10 * l));
+      Location location(tm.face(h), {{ 0, 0, 0 }});
+      const int k = h == tm.halfedge(location.first) ? 0 : h == tm.next(tm.halfedge(location.first)) ? 1 : 2;
+      for(double part : { 0.05, 0.31, 0.5, 0.77, 0.98 })
+      {
+        // paths along the edge need no window
+        double found = (std::min)(field.distance(tm.source(h)) + part * l, field.distance(tm.target(h)) + (1 - part) * l);
+        for(const Field::Window& w : windows)
+        {
+          const double t = w.from == h ? part * l : (1 - part) * l;
+          if(w.begin <= t && t <= w.end)
+            found = (std::min)(found, w.distance(t));
+        }
+        location.second[k] = 1 - part;
+        location.second[(k + 1) % 3] = part;
+        const double d = reference.shortest_distance_to_source_points(location.first, location.second).first;
+        // which misses paths along the border to places on it
+        for(double ours : { found, field.distance(location) })
+          assert(ours < d + 1e-12 * (1 + d) && (tm.is_border(e) || ours > d - 1e-12 * (1 + d)));
+      }
+    }
+    assert(n == field.number_of_windows() && result.number_of_windows < n);
+    assert(field.propagate(params::keep_windows(false)) && field.number_of_windows() == 0);
+  }
+}
+
 // Sources beside each other: offsets, labels, and a curve as the limit of its points.
 void test_mixed_sources()
 {
@@ -610,11 +661,11 @@ void test_approximation()
       Field exact(tm), fast(tm);
       for(Field* f : { &exact, &fast })
         with_curve ? f->add_edges_source(curve) : f->add_source(Vertex(7));
-      const Result r = exact.propagate();
+      exact.propagate();
       for(double error : { 1e-4, 1e-3, 1e-2 })
       {
-        const Result s = fast.propagate(params::relative_distance_error(error));
-        assert(s.number_of_windows < r.number_of_windows);
+        fast.propagate(params::relative_distance_error(error));
+        assert(fast.number_of_windows() < exact.number_of_windows());
         double worst = 0;
         for(Vertex v : tm.vertices())
           if(exact.distance(v) > 0)
@@ -935,6 +986,7 @@ int main()
   test_against_CGAL();
   test_real_meshes();
   test_sampled_polyline();
+  test_windows_of_all_edges();
   test_mixed_sources();
   test_reach();
   test_approximation();

@@ -44,15 +44,16 @@ namespace Quad_meshing {
  *
  * Sources are added one by one, each with an offset that its distances start with; the distance of a point is the
  * smallest one over all sources. Then `propagate()` computes the field, and the queries evaluate it. Sources may
- * be added again afterwards, and `propagate()` starts from scratch.
+ * be added again afterwards; that drops the field, and `propagate()` starts from scratch.
  *
  * The mesh may have a border, several components and vertices without faces. What no source can reach has the distance infinity.
  * Degenerate faces are allowed. Vertices must be manifold, as they are in every valid halfedge data structure
  * made from a soup by `Polygon_mesh_processing::polygon_soup_to_polygon_mesh()`. The mesh must not change while the object is used.
  *
  * The algorithm is that of Mitchell, Mount and Papadimitriou (1987) with the linear windows of Bommes and
- * Kobbelt (2007): each edge keeps the list of windows in which the distance to it is one square root or one
- * linear function.
+ * Kobbelt (2007): windows are parts of edges in which the distance is one square root or one linear function. They are kept on some edges, between
+ * groups of up to 16 faces. Queries make those of a group that they need from the ones around it, once, and keep them: the first query in a group
+ * takes some tens of microseconds. All queries are `const`, and any number of threads may ask at a time.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam FT the number type of the windows: `double`, or a binary floating point type of more digits such as
@@ -166,7 +167,7 @@ public:
     if(m_status != Geodesic_distance_status::SUCCESS)
       return no_source();
     m_sources.add_point(m_mesh, vertex_point(index(v)), FT(offset), m_number_of_sources);
-    return m_number_of_sources++;
+    return added();
   }
 
   /// adds a point on the surface.
@@ -175,7 +176,7 @@ public:
     if(m_status != Geodesic_distance_status::SUCCESS)
       return no_source();
     m_sources.add_point(m_mesh, point(location), FT(offset), m_number_of_sources);
-    return m_number_of_sources++;
+    return added();
   }
 
   /// adds a polyline on the surface, given by a range of `Face_location`. Any two consecutive points must lie in a common
@@ -190,16 +191,10 @@ public:
     for(const auto& location : locations)
       points.push_back(point(location));
     Sources sources = m_sources;
-    for(std::size_t i = 0; i < points.size(); ++i)
-    {
-      const bool is_last_of_closed = i > 0 && i + 1 == points.size() && Sources::is_same(m_mesh, points[0], points[i]);
-      if(! is_last_of_closed)
-        sources.add_point(m_mesh, points[i], FT(offset), m_number_of_sources);
-      if(i > 0 && ! sources.add_segment(m_mesh, points[i - 1], points[i], FT(offset), m_number_of_sources))
-        return no_source();
-    }
+    if(! sources.add_polyline(m_mesh, points, FT(offset), m_number_of_sources))
+      return no_source();
     std::swap(m_sources, sources);
-    return m_number_of_sources++;
+    return added();
   }
 
   /// adds all edges of a range as one source.
@@ -208,24 +203,17 @@ public:
   {
     if(m_status != Geodesic_distance_status::SUCCESS || edge_range.begin() == edge_range.end())
       return no_source();
-    std::vector<int> ends;
+    std::vector<int> halfedges;
     for(edge_descriptor e : edge_range)
     {
       halfedge_descriptor h = halfedge(e, m_tm);
       if(is_border(h, m_tm))
         h = opposite(h, m_tm);
-      if(is_border(h, m_tm))
-        continue;
-      const int i = m_field_mesh.halfedge_index(h), v = m_mesh.source(i), w = m_mesh.target(i);
-      m_sources.add_edge_part(m_mesh, i, vertex_point(v), vertex_point(w), FT(offset), m_number_of_sources);
-      ends.push_back(v);
-      ends.push_back(w);
+      if(! is_border(h, m_tm))
+        halfedges.push_back(m_field_mesh.halfedge_index(h));
     }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    for(int v : ends)
-      m_sources.add_point(m_mesh, vertex_point(v), FT(offset), m_number_of_sources);
-    return m_number_of_sources++;
+    m_sources.add_edges(m_mesh, halfedges, FT(offset), m_number_of_sources);
+    return added();
   }
 
   /// adds the whole border as one source.
@@ -271,8 +259,8 @@ public:
    *     \cgalParamDefault{`0`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{keep_windows}
-   *     \cgalParamDescription{if `false`, windows are kept on a part of the edges, until the front has passed them. Then only distances
-   *                           at vertices can be asked for, from few sources in about half the time, and the memory needed is that of the front.}
+   *     \cgalParamDescription{if `false`, windows are dropped when the front has passed them. Then only distances at vertices can be asked for,
+   *                           and the memory needed is that of the front.}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd
@@ -312,8 +300,8 @@ public:
         target_indices.push_back(index(v));
 
       visitor.on_stage_begin("geodesic distances");
-      m_propagation.reset(new Propagation(m_mesh, error, m_has_windows));
-      m_sources.start(m_mesh, *m_propagation);
+      m_sources.sort();
+      m_propagation.reset(new Propagation(m_mesh, m_sources, error, m_has_windows));
       m_propagation->run([&](double front)
       {
         visitor.progress(m_mesh.number_of_vertices() == 0 ? 1.
@@ -414,6 +402,10 @@ public:
     return shortest_path(location, out);
   }
 
+  /// returns the number of windows on all edges, 0 if they are not kept. Those between faces of a group are made to be counted, which takes a part
+  /// of the time of `propagate()` but no memory.
+  std::size_t number_of_windows() const { return m_propagation && m_has_windows ? m_propagation->number_of_windows() : 0; }
+
   /// writes the windows of an edge in their order along `halfedge(e, tm)`.
   template <typename OutputIterator>
   OutputIterator windows(edge_descriptor e, OutputIterator out) const
@@ -421,7 +413,7 @@ public:
     halfedge_descriptor h = halfedge(e, m_tm);
     if(is_border(h, m_tm))
       h = opposite(h, m_tm);
-    if(! m_propagation || is_border(h, m_tm))
+    if(! m_propagation || ! m_has_windows || is_border(h, m_tm))
       return out;
     const int i = m_mesh.halfedge_of_edge[m_mesh.edge_of[m_field_mesh.halfedge_index(h)]];
     const halfedge_descriptor from = i == m_field_mesh.halfedge_index(h) ? h : opposite(h, m_tm);
@@ -437,9 +429,16 @@ private:
 
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
+  // Counts a source. What was computed without it is no field of all sources.
+  std::size_t added()
+  {
+    m_propagation.reset();
+    return m_number_of_sources++;
+  }
+
   int index(vertex_descriptor v) const { return m_field_mesh.vertex_index(v); }
 
-  static Surface_point vertex_point(int v) { return Surface_point{ Surface_point::VERTEX, v, FT(0), FT(0) }; }
+  static Surface_point vertex_point(int v) { return Sources::vertex_point(v); }
 
   template <typename Location>
   Surface_point point(const Location& location) const

@@ -55,7 +55,7 @@ struct Geodesic_distance_result
   Geodesic_distance_status status = Geodesic_distance_status::SUCCESS;
   /// the same as a sentence
   std::string message;
-  /// the number of windows on all edges at the end; those dropped are not among them
+  /// the number of windows that are kept at the end, on the edges between groups of faces; `Geodesic_distance_field::number_of_windows()` tells that of all edges
   std::size_t number_of_windows = 0;
   /// the number of times a window crossed a face
   std::size_t number_of_propagations = 0;

@@ -166,8 +166,6 @@ private:
     {
       // into the next face, seen from its own halfedge
       const int o = m_mesh.opposite[h];
-      if(o == -1)
-        return sum;
       const double l = m_mesh.length_of(o), t = (1 - here.part) * l;
       x = l - x;
       const typename Mesh::Apex& apex = m_mesh.apex[o];
@@ -199,7 +197,7 @@ private:
         to_next_frame(m_mesh, Mesh::next(o), x, y);
       }
       y = -y;
-      if(! (y > 0) || ! (s > 0 && s < 1) || m_mesh.length_of(exit) == 0)
+      if(! (y > 0) || ! (s > 0 && s < 1) || m_mesh.length_of(exit) == 0 || m_mesh.opposite[exit] == -1)
         return sum;
       here = Place{ -1, exit, s };
       sum = added(sum, way(m_mesh.face(o), start, here));

@@ -9,7 +9,9 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_FACE_CROSSING_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_FACE_CROSSING_H
 
-#include <CGAL/Quad_meshing/Geodesics/internal/Wavefront.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
 
 #include <boost/config.hpp>
 
@@ -23,15 +25,19 @@ namespace internal {
 
 // Takes windows from one edge of a face to the two others; where an edge is open, on to the edges behind it. What depends
 // on the faces alone is made once for all windows of the edge, and on each edge they arrive in their order.
-template <typename FT>
+//
+// `Front` receives the windows and the distances of the vertices: `Wavefront`, which asks for the windows at the edges
+// where they stop, or `Group_front`, which asks for them at the open edges that they pass.
+template <typename Front>
 class Face_crossing
 {
 public:
+  typedef typename Front::FT FT;
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
   typedef Window_tolerances<FT> Tol;
 
-  explicit Face_crossing(Wavefront<FT>& front) : m_front(front) {}
+  explicit Face_crossing(Front& front) : m_front(front) {}
 
   // The windows lie on halfedge h, which runs from p to q in the face (p, q, r), in the frame of h and sorted along
   // it, and their sources on the other side.
@@ -47,7 +53,7 @@ public:
     m_corners.clear();
     m_number_of_exits = 0;
     m_corners.push_back(Corner{ Vector{ apex.x, apex.y }, Vector{ l, FT(0) }, Vector{ apex.back, apex.y }, Vector{ -apex.x, -apex.y },
-                                h, true, 0, 0 });
+                                h, true, 0, 0, -1 });
     for(std::size_t k = 0; k < windows.size(); ++k)
       divide(0, windows[k], Part{ static_cast<int>(k), false, false, windows[k].b0, windows[k].b1 });
     for(int i = 0; i < m_number_of_exits; ++i)
@@ -59,9 +65,9 @@ public:
   BOOST_NOINLINE void arrive(int h, W w)
   {
     const int o = m_front.behind(h);
-    if(o == -1)
+    if(o == -1 || Front::asks_at_open_edges)
       m_front.arrive(h, w);
-    else
+    if(o != -1)
     {
       w.reverse(m_front.mesh().length_of(h));
       (*this)(o, std::vector<W>(1, w));
@@ -98,6 +104,7 @@ private:
     int halfedge;                // through which its face is entered
     bool is_last;                // whether its face contains p
     int right, left;
+    int entry;                   // the exit that is the edge by which its face is entered, -1 if nobody asks
   };
 
   int behind_right_side(int corner)
@@ -126,25 +133,29 @@ private:
   {
     const int o = m_front.behind(h);
     if(o == -1)
-    {
-      if(static_cast<int>(m_exits.size()) == m_number_of_exits)
-        m_exits.emplace_back();
-      Exit& e = m_exits[m_number_of_exits];
-      e.halfedge = h;
-      e.is_last = is_last;
-      e.begin = begin;
-      e.side = side;
-      e.parts.clear();
-      return ~m_number_of_exits++;
-    }
+      return ~add_exit(h, begin, side, is_last);
+    const int entry = Front::asks_at_open_edges ? add_exit(h, begin, side, is_last) : -1;
     const Mesh& mesh = m_front.mesh();
     const typename Mesh::Apex& a = mesh.apex[o];
     const FT inverse = FT(1) / mesh.length_of(h), ux = side.x * inverse, uy = side.y * inverse;
     // the way from `begin` to the apex behind; o runs backwards
     const Vector right{ a.y * uy - a.back * ux, -a.y * ux - a.back * uy };
     m_corners.push_back(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right,
-                                Vector{ side.x - right.x, side.y - right.y }, o, is_last, 0, 0 });
+                                Vector{ side.x - right.x, side.y - right.y }, o, is_last, 0, 0, entry });
     return static_cast<int>(m_corners.size()) - 1;
+  }
+
+  int add_exit(int h, const Vector& begin, const Vector& side, bool is_last)
+  {
+    if(static_cast<int>(m_exits.size()) == m_number_of_exits)
+      m_exits.emplace_back();
+    Exit& e = m_exits[m_number_of_exits];
+    e.halfedge = h;
+    e.is_last = is_last;
+    e.begin = begin;
+    e.side = side;
+    e.parts.clear();
+    return m_number_of_exits++;
   }
 
   // Divides a part of a window, which is to pass a corner, or to leave if `node` is an exit.
@@ -152,6 +163,8 @@ private:
   {
     while(node >= 0)
     {
+      if(Front::asks_at_open_edges && m_corners[node].entry != -1)
+        m_exits[m_corners[node].entry].parts.push_back(part);
       const Vector place = m_corners[node].place;
       const FT t = ray_to(place, w, part);
       if((t >= part.b0 || (part.b0 == w.b0 && w.closes_gap(w.b0 - t, w.b0, m_length))) &&
@@ -207,8 +220,8 @@ private:
 
   void leave(const Exit& exit, const W* windows)
   {
-    typename Wavefront<FT>::Landing landing = m_front.landing(exit.halfedge);
-    if(landing.is_behind)
+    typename Front::Landing landing = m_front.landing(exit.halfedge);
+    if(landing.is_closed)
       return;
     const Vector begin = exit.begin, side = exit.side;
     const FT width = landing.length, inverse = FT(1) / width, ux = side.x * inverse, uy = side.y * inverse;
@@ -243,7 +256,7 @@ private:
     m_front.finish(landing);
   }
 
-  Wavefront<FT>& m_front;
+  Front& m_front;
   FT m_length, m_place;              // of the edge that the windows come from
   std::vector<Corner> m_corners;
   std::vector<Exit> m_exits;

@@ -10,10 +10,10 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_FIELD_SOURCES_H
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
-#include <CGAL/Quad_meshing/Geodesics/internal/Window_propagation.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -207,35 +207,41 @@ public:
       m_of_face.push_back(std::make_pair(m.face(m.opposite[h]), last()));
   }
 
-  // Puts all elements at the beginning of a propagation.
-  void start(const Mesh& m, Window_propagation<FT>& propagation)
+  // Adds the segments between consecutive points and the points; a closed curve repeats its first point at the end. Returns false if two
+  // consecutive points do not lie in one face.
+  bool add_polyline(const Mesh& m, const std::vector<Point>& points, const FT& offset, std::size_t source)
   {
-    std::sort(m_of_face.begin(), m_of_face.end());
-    for(std::size_t i = 0; i < m_elements.size(); ++i)
+    for(std::size_t i = 0; i < points.size(); ++i)
     {
-      const Element& e = m_elements[i];
-      const int origin = ~static_cast<int>(i);
-      if(! e.is_segment)
-      {
-        if(e.from.carrier == Point::VERTEX)
-          propagation.start_at_vertex(e.from.simplex, e.offset, origin);
-        else if(e.from.carrier == Point::EDGE)
-          propagation.start_on_halfedge(e.from.simplex, e.from.x, e.offset, origin);
-        else
-          propagation.start_in_face(3 * e.from.simplex, e.from.x, e.from.y, e.offset, origin);
-      }
-      else if(e.halfedge != -1)
-      {
-        const FT s = place_on(m, e.halfedge, e.from), t = place_on(m, e.halfedge, e.to);
-        propagation.start_along_halfedge(e.halfedge, (std::min)(s, t), (std::max)(s, t), e.offset, origin);
-      }
-      else
-      {
-        const auto a = place_in_face(m, e.face, e.from), b = place_in_face(m, e.face, e.to);
-        propagation.start_along_segment(3 * e.face, a.first, a.second, b.first, b.second, e.offset, origin);
-      }
+      const bool is_last_of_closed = i > 0 && i + 1 == points.size() && is_same(m, points[0], points[i]);
+      if(! is_last_of_closed)
+        add_point(m, points[i], offset, source);
+      if(i > 0 && ! add_segment(m, points[i - 1], points[i], offset, source))
+        return false;
     }
+    return true;
   }
+
+  // Adds whole edges, and their ends once.
+  void add_edges(const Mesh& m, const std::vector<int>& halfedges, const FT& offset, std::size_t source)
+  {
+    std::vector<int> ends;
+    for(int h : halfedges)
+    {
+      add_edge_part(m, h, vertex_point(m.source(h)), vertex_point(m.target(h)), offset, source);
+      ends.push_back(m.source(h));
+      ends.push_back(m.target(h));
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for(int v : ends)
+      add_point(m, vertex_point(v), offset, source);
+  }
+
+  static Point vertex_point(int v) { return Point{ Point::VERTEX, v, FT(0), FT(0) }; }
+
+  // To be called when all are there.
+  void sort() { std::sort(m_of_face.begin(), m_of_face.end()); }
 
   // The elements that lie in a face or on its edges, as a range of pairs (face, element).
   typedef std::vector<std::pair<int, int> >::const_iterator Iterator;

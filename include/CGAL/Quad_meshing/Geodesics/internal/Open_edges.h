@@ -11,14 +11,17 @@
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 
-#include <utility>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Chooses edges that windows pass without being kept there, long ones first. The faces that open edges join form groups without
+// Edges that windows pass without being listed there, long ones first. The faces that open edges join form groups without
 // cycles, so that each group can be unfolded into the plane.
 template <typename FT>
 class Open_edges
@@ -26,81 +29,121 @@ class Open_edges
 public:
   typedef Unfolded_mesh<FT> Mesh;
 
-  explicit Open_edges(const Mesh& mesh)
-    : m_mesh(mesh), m_group(mesh.number_of_faces(), -1), m_behind(mesh.number_of_halfedges(), -1)
+  // None are open unless `has_groups`.
+  Open_edges(const Mesh& mesh, bool has_groups)
+    : m_behind(mesh.number_of_halfedges(), -1)
   {
-    for(int pass = 0; pass < 2; ++pass)
-      for(int f = 0; f < mesh.number_of_faces(); ++f)
-        open_sides(f, pass == 0);
+    if(has_groups)
+      Choice(mesh, m_behind).open();
   }
 
-  std::vector<int> take() { return std::move(m_behind); }
+  // The halfedge on the other side of an open edge, -1 if the edge is not open.
+  int behind(int h) const { return m_behind[h]; }
+
+  // The faces of the group of a face, in increasing order.
+  std::vector<int> group(int f) const
+  {
+    std::vector<int> faces(1, f);
+    std::vector<int> from(1, -1);        // by which halfedge each is entered
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      for(int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+        if(m_behind[h] != -1 && h != from[i])
+        {
+          faces.push_back(Mesh::face(m_behind[h]));
+          from.push_back(m_behind[h]);
+        }
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  }
 
 private:
-  // The work per window grows with the group: that many faces serve best.
-  static int largest_group() { return 16; }
-
-  // Faces that are flatter than this part of their longest side stay alone: their corners are not unfolded far from their frame.
-  static FT flatness() { return FT(1e-3); }
-
-  bool is_flat(int longest) const { return ! (m_mesh.apex[longest].y > flatness() * m_mesh.length_of(longest)); }
-
-  int longest_side(int f) const
+  class Choice
   {
-    int best = 3 * f;
-    for(int h = 3 * f + 1; h < 3 * f + 3; ++h)
-      if(m_mesh.length_of(best) < m_mesh.length_of(h))
-        best = h;
-    return best;
-  }
+  public:
+    Choice(const Mesh& mesh, std::vector<int>& behind)
+      : m_mesh(mesh), m_behind(behind), m_rank(mesh.number_of_faces()), m_parent(mesh.number_of_faces()),
+        m_size(mesh.number_of_faces(), 1), m_longest(mesh.number_of_faces()), m_is_alone(mesh.number_of_faces(), false),
+        m_sets(m_rank.data(), m_parent.data())
+    {}
 
-  void open_sides(int f, bool only_where_longest)
-  {
-    const int h = longest_side(f);
-    if(is_flat(h))
-      return;
-    if(only_where_longest)
+    void open()
+    {
+      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      {
+        m_sets.make_set(f);
+        examine(f);
+      }
+      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      {
+        const int h = m_longest[f], o = m_mesh.opposite[h];
+        if(h < o && m_longest[Mesh::face(o)] == o)
+          open(h);
+      }
+      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      {
+        const int h = m_longest[f], n = Mesh::next(h), p = Mesh::prev(h);
+        const typename Mesh::Apex& a = m_mesh.apex[h];
+        const bool n_first = a.x + a.back < FT(0);
+        open(h);
+        open(n_first ? n : p);
+        open(n_first ? p : n);
+      }
+    }
+
+  private:
+    // The work per window grows with the group: that many faces serve best.
+    static int largest_group() { return 16; }
+
+    // Faces that are flatter than this part of their longest side stay alone: their corners are not unfolded far from their frame.
+    static FT flatness() { return FT(1e-3); }
+
+    // Finds the longest side from the frame of the first one: the lengths of edges lie all over the memory.
+    int longest_side(int f) const
+    {
+      const typename Mesh::Apex& a = m_mesh.apex[3 * f];
+      const FT l = a.x - a.back, y2 = a.y * a.y, first = l * l, second = a.back * a.back + y2, third = a.x * a.x + y2;
+      return 3 * f + (first < second ? (second < third ? 2 : 1) : first < third ? 2 : 0);
+    }
+
+    // Paths from a vertex that lies on the opposite edge pass it at once: so faces beside one of no area stay alone too, and
+    // windows from vertices enter groups at their edges or begin in them.
+    void examine(int f)
+    {
+      const int h = longest_side(f);
+      m_longest[f] = h;
+      const typename Mesh::Apex& a = m_mesh.apex[h];
+      const FT height = a.y;
+      if(height > flatness() * (a.x - a.back))
+        return;
+      m_is_alone[f] = true;
+      for(int g = 3 * f; g < 3 * f + 3; ++g)
+        if(height == FT(0) && m_mesh.opposite[g] != -1)
+          m_is_alone[Mesh::face(m_mesh.opposite[g])] = true;
+    }
+
+    void open(int h)
     {
       const int o = m_mesh.opposite[h];
-      if(h < o && longest_side(o / 3) == o)
-        open(h);
-      return;
+      if(o == -1 || m_is_alone[Mesh::face(h)] || m_is_alone[Mesh::face(o)])
+        return;
+      const int a = m_sets.find_set(Mesh::face(h)), b = m_sets.find_set(Mesh::face(o)), size = m_size[a] + m_size[b];
+      if(a == b || size > largest_group())
+        return;
+      m_sets.link(a, b);
+      m_size[m_parent[a] == b ? b : a] = size;
+      m_behind[h] = o;
+      m_behind[o] = h;
     }
-    const int n = Mesh::next(h), p = Mesh::prev(h);
-    const bool n_first = m_mesh.length_of(p) < m_mesh.length_of(n);
-    open(h);
-    open(n_first ? n : p);
-    open(n_first ? p : n);
-  }
 
-  void open(int h)
-  {
-    const int o = m_mesh.opposite[h];
-    if(o == -1)
-      return;
-    const int a = group(h / 3), b = group(o / 3);
-    if(a == b || m_group[a] + m_group[b] < -largest_group() || is_flat(longest_side(o / 3)))
-      return;
-    m_group[a] += m_group[b];
-    m_group[b] = a;
-    m_behind[h] = o;
-    m_behind[o] = h;
-  }
+    const Mesh& m_mesh;
+    std::vector<int>& m_behind;
+    std::vector<int> m_rank, m_parent;
+    std::vector<int> m_size;                // of a group, at its representative
+    std::vector<int> m_longest;             // per face: its longest side
+    std::vector<char> m_is_alone;           // per face
+    boost::disjoint_sets<int*, int*> m_sets;
+  };
 
-  // Of a face; union-find, where the first face of a group holds its size, negative.
-  int group(int f)
-  {
-    while(m_group[f] >= 0)
-    {
-      if(m_group[m_group[f]] >= 0)
-        m_group[f] = m_group[m_group[f]];
-      f = m_group[f];
-    }
-    return f;
-  }
-
-  const Mesh& m_mesh;
-  std::vector<int> m_group;
   std::vector<int> m_behind;
 };
 

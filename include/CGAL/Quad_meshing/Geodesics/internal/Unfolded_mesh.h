@@ -57,8 +57,8 @@ struct Unfolded_mesh
 
   std::vector<Apex> apex;                 // per halfedge
   std::vector<FT> length;                 // per edge
-  std::vector<double> direction;          // per halfedge: its angle at its source
-  std::vector<double> total_angle;        // per vertex
+  std::vector<double> direction;          // per halfedge: its angle at its source; 0 where nobody asks, at vertices that no path bends at
+  std::vector<double> total_angle;        // per vertex; 0 likewise
   std::vector<Vertex_passage> passage;    // per vertex
 
   Unfolded_mesh() {}
@@ -78,18 +78,6 @@ struct Unfolded_mesh
   bool is_canonical(int h) const { return opposite[h] < h; }     // also on the border, where opposite[h] is -1
 
   FT length_of(int h) const { return length[edge_of[h]]; }
-
-  // The halfedge of v's fan whose face contains the direction `angle`, and the angle within its corner.
-  std::pair<int, double> corner_in_direction(int v, double angle) const
-  {
-    int h = halfedge_of_vertex[v];
-    for(int n = next_around_source(h); n != -1 && n != halfedge_of_vertex[v] && direction[n] <= angle;)
-    {
-      h = n;
-      n = next_around_source(h);
-    }
-    return std::make_pair(h, angle - direction[h]);
-  }
 
   double corner_angle(int h) const { return std::atan2(as_double(apex[h].y), as_double(apex[h].x)); }
 
@@ -136,6 +124,7 @@ private:
   {
     const bool is_precise = ! std::is_same<FT, double>::value;
     const double pi = std::acos(-1.);
+    const std::vector<bool> has_zero_edge = ends_of_zero_edges();
     direction.assign(number_of_halfedges(), 0.);
     total_angle.assign(number_of_vertices(), 0.);
     passage.assign(number_of_vertices(), PASSAGE_NEVER);
@@ -145,13 +134,13 @@ private:
       const int first = halfedge_of_vertex[v];
       if(first == -1)
         continue;
+      if(has_zero_edge.empty() && is_clearly_convex(first))
+        continue;
       double sum = 0;
-      bool has_zero_edge = false;
       int h = first;
       do
       {
         direction[h] = sum;
-        has_zero_edge = has_zero_edge || length_of(h) == FT(0) || length_of(prev(h)) == FT(0);
         sum += corner_angle(h);
         h = next_around_source(h);
       }
@@ -159,14 +148,52 @@ private:
       total_angle[v] = sum;
 
       const double straight = h == -1 ? pi : 2 * pi;
-      if(has_zero_edge || (is_precise && sum > straight - doubtful_angle()))
+      if((! has_zero_edge.empty() && has_zero_edge[v]) || (is_precise && sum > straight - doubtful_angle()))
         passage[v] = PASSAGE_EVERYWHERE;
       else if(sum > straight + flat_angle_tolerance())
         passage[v] = PASSAGE_IN_SHADOW;
     }
   }
 
+  // Per vertex; empty if there are none.
+  std::vector<bool> ends_of_zero_edges() const
+  {
+    std::vector<bool> ends;
+    for(int e = 0; e < number_of_edges(); ++e)
+      if(length[e] == FT(0))
+      {
+        ends.resize(number_of_vertices(), false);
+        const int h = halfedge_of_edge[e];
+        ends[source(h)] = ends[target(h)] = true;
+      }
+    return ends;
+  }
+
+  // Whether the angles around the source of `first` clearly sum up to less than 2 pi (pi on the border). The directions of the corners are multiplied
+  // as complex numbers, and half turns are counted where the imaginary part changes its sign; angles close to 0 and to pi leave that unclear.
+  bool is_clearly_convex(int first) const
+  {
+    double x = 1, y = 0;
+    int half_turns = 0, h = first;
+    do
+    {
+      const double a = as_double(apex[h].x), b = as_double(apex[h].y), scale = 1 / (std::fabs(a) + b);
+      if(! (b * scale > unclear_angle()))
+        return false;
+      const double next_x = (x * a - y * b) * scale, next_y = (x * b + y * a) * scale;
+      half_turns += (y < 0) != (next_y < 0);
+      x = next_x;
+      y = next_y;
+      h = next_around_source(h);
+    }
+    while(h != -1 && h != first);
+    return std::fabs(y) > unclear_angle() * std::fabs(x) && half_turns < (h == -1 ? 1 : 2);
+  }
+
   static double doubtful_angle() { return 1e-6; }
+
+  // More than that, and than all rounding.
+  static double unclear_angle() { return 1e-5; }
 };
 
 // Changes from the frame of h to the frame of next(h).

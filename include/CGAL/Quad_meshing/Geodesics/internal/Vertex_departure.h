@@ -10,23 +10,26 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_VERTEX_DEPARTURE_H
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Face_crossing.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Wavefront.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
 // Sends the front on from points: from vertices that it has reached, and from places on edges.
-template <typename FT>
+template <typename Front>
 class Vertex_departure
 {
 public:
+  typedef typename Front::FT FT;
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
 
-  Vertex_departure(Wavefront<FT>& front, Face_crossing<FT>& cross)
+  Vertex_departure(Front& front, Face_crossing<Front>& cross)
     : m_front(front), m_cross(cross), m_mesh(front.mesh())
   {}
 
@@ -49,24 +52,14 @@ public:
     }
     while(h != -1 && h != first);
 
-    const double total = m_mesh.total_angle[v];
-    if(label.origin < 0 || m_mesh.passage[v] == PASSAGE_EVERYWHERE)
-      leave_into_faces(v, 0., total);
-    else if(m_mesh.passage[v] == PASSAGE_IN_SHADOW)
-    {
-      // Both angles between arrival and departure are at least pi.
-      const double pi = std::acos(-1.), margin = Mesh::flat_angle_tolerance(), a = label.angle;
-      if(m_mesh.opposite[first] == -1 || h == -1)
-      {
-        leave_into_faces(v, a + pi - margin, total);
-        leave_into_faces(v, 0., a - pi + margin);
-      }
-      else
-      {
-        leave_into_faces(v, a + pi - margin, a + total - pi + margin);
-        leave_into_faces(v, a - total + pi - margin, a - pi + margin);
-      }
-    }
+    for_each_range(v, [&](double from, double to) { leave_into_faces(v, from, to); });
+  }
+
+  // The part of it that goes into the face of h, whose source is the vertex.
+  void leave_into_face(int h)
+  {
+    const int v = m_mesh.source(h);
+    for_each_range(v, [&](double from, double to) { leave_into_corner(h, v, from, to); });
   }
 
   // Sends rays from the place t on halfedge h into the face of h.
@@ -99,44 +92,74 @@ public:
   }
 
 private:
+  // The end of a range that contains all directions.
+  static double everywhere() { return std::numeric_limits<double>::infinity(); }
+
+  // Calls `leave` for the ranges of directions in which paths may go on from v.
+  template <typename Leave>
+  void for_each_range(int v, const Leave& leave) const
+  {
+    const Vertex_label<FT>& label = m_front.label(v);
+    const double total = m_mesh.total_angle[v];
+    if(label.origin < 0 || m_mesh.passage[v] == PASSAGE_EVERYWHERE)
+      leave(0., everywhere());
+    else if(m_mesh.passage[v] == PASSAGE_IN_SHADOW)
+    {
+      // Both angles between arrival and departure are at least pi.
+      const double pi = std::acos(-1.), margin = Mesh::flat_angle_tolerance(), a = label.angle;
+      if(m_mesh.opposite[m_mesh.halfedge_of_vertex[v]] == -1)
+      {
+        leave(a + pi - margin, total);
+        leave(0., a - pi + margin);
+      }
+      else
+      {
+        leave(a + pi - margin, a + total - pi + margin);
+        leave(a - total + pi - margin, a - pi + margin);
+      }
+    }
+  }
+
   // Sends rays from v in the directions between the two angles.
   void leave_into_faces(int v, double from, double to)
   {
     if(! (from < to))
       return;
-    const bool whole = from == 0. && to == m_mesh.total_angle[v];
     const int first = m_mesh.halfedge_of_vertex[v];
-    const FT d = m_front.label(v).distance;
-    const float error = m_front.label(v).error;
     int h = first;
     do
     {
-      const double begin = m_mesh.direction[h];
-      if(whole || begin < to)
-      {
-        const double corner = m_mesh.corner_angle(h);
-        if(whole || begin + corner > from)
-        {
-          const int n = Mesh::next(h);
-          const typename Mesh::Apex& a = m_mesh.apex[n];
-          const FT length = m_mesh.length_of(n);
-          if(a.y == FT(0))
-          {
-            if(a.x > FT(0) && a.x < length && m_mesh.opposite[n] != -1)
-              leave_point(m_mesh.opposite[n], FT(length - a.x), d, v, error);
-          }
-          else
-          {
-            const FT b0 = ! whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
-            const FT b1 = ! whole && to < begin + corner ? (std::min)(length, hit(a, to - begin)) : length;
-            if(b0 < b1)
-              m_cross.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
-          }
-        }
-      }
+      leave_into_corner(h, v, from, to);
       h = m_mesh.next_around_source(h);
     }
     while(h != -1 && h != first);
+  }
+
+  // Those that go into the corner at v between h and the next halfedge around v.
+  void leave_into_corner(int h, int v, double from, double to)
+  {
+    const bool whole = to == everywhere();
+    const double begin = m_mesh.direction[h];
+    if(! whole && ! (from < to && begin < to))
+      return;
+    const double corner = whole ? 0. : m_mesh.corner_angle(h);
+    if(! whole && ! (begin + corner > from))
+      return;
+    const FT d = m_front.label(v).distance;
+    const float error = m_front.label(v).error;
+    const int n = Mesh::next(h);
+    const typename Mesh::Apex& a = m_mesh.apex[n];
+    const FT length = m_mesh.length_of(n);
+    if(a.y == FT(0))
+    {
+      if(a.x > FT(0) && a.x < length && m_mesh.opposite[n] != -1)
+        leave_point(m_mesh.opposite[n], FT(length - a.x), d, v, error);
+      return;
+    }
+    const FT b0 = ! whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
+    const FT b1 = ! whole && to < begin + corner ? (std::min)(length, hit(a, to - begin)) : length;
+    if(b0 < b1)
+      m_cross.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
   }
 
   // Where the ray from the apex hits the halfedge; `angle` is measured from the way to its source.
@@ -146,8 +169,8 @@ private:
     return a.x + a.y * (a.y * s - a.x * c) / (a.x * s + a.y * c);
   }
 
-  Wavefront<FT>& m_front;
-  Face_crossing<FT>& m_cross;
+  Front& m_front;
+  Face_crossing<Front>& m_cross;
   const Mesh& m_mesh;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_envelope.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_landing.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_lists.h>
 
 #include <boost/config.hpp>
@@ -38,27 +39,28 @@ struct Vertex_label
 
 // What the front knows: the windows of the edges, the labels of the vertices and the queue of what is still to
 // advance. Everything that moves the front ends here, with a distance that arrives at a vertex or a window at an edge.
-template <typename FT>
+template <typename Number>
 class Wavefront
 {
 public:
+  typedef Number FT;
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
   typedef Window_tolerances<FT> Tol;
   typedef Window_list<FT> List;
 
+  static constexpr bool asks_at_open_edges = false;      // see Face_crossing
+
   static FT unreached() { return FT(1e300); }
 
-  Wavefront(const Mesh& mesh, bool keep_windows)
+  Wavefront(const Mesh& mesh, bool keep_windows, bool has_groups)
     : m_mesh(mesh),
       m_keep_windows(keep_windows),
+      m_open_edges(mesh, has_groups),
       m_lists(mesh.number_of_edges()),
       m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0.f, 0, false }),
       m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))
-  {
-    if(! keep_windows)
-      m_behind = Open_edges<FT>(mesh).take();
-  }
+  {}
 
   const Mesh& mesh() const { return m_mesh; }
   bool keeps_windows() const { return m_keep_windows; }
@@ -68,8 +70,10 @@ public:
   const Vertex_label<FT>& label(int v) const { return m_labels[v]; }
   Front_queue& queue() { return m_queue; }
 
-  // The halfedge by which windows go on that leave their face through h without being kept there, -1 if they are kept.
-  int behind(int h) const { return m_keep_windows ? -1 : m_behind[h]; }
+  const Open_edges<FT>& open_edges() const { return m_open_edges; }
+
+  // The halfedge by which windows go on that leave their face through h without being listed there, -1 if they are.
+  int behind(int h) const { return m_open_edges.behind(h); }
 
   // Receives a distance at a vertex. `angle()` is its direction of arrival.
   template <typename Angle>
@@ -86,49 +90,28 @@ public:
     m_queue.push_vertex(v, as_double(d));
   }
 
-  // Where windows arrive: an edge, seen from a face. Made once for many windows.
-  struct Landing
+  struct Landing : Window_landing<FT>
   {
-    int edge;
-    bool is_canonical;
     bool is_due;                 // in this step already
-    bool is_behind;              // whether the front has passed all of the edge
-    FT length;
-    FT at_source, at_target;     // the distances of the ends
     FT nearest;                  // the smallest distance of what has arrived, if the edge is not due
-    int hint;                    // see Window_envelope::insert
+
+    Landing(const Window_landing<FT>& base, bool is_due) : Window_landing<FT>(base), is_due(is_due), nearest(unreached()) {}
   };
 
   Landing landing(int h) const
   {
     const int e = m_mesh.edge_of[h];
-    return Landing{ e, m_mesh.is_canonical(h), m_queue.is_due(e), ! m_keep_windows && latest(e) <= m_queue.front(),
-                    m_mesh.length[e], m_labels[m_mesh.source(h)].distance, m_labels[m_mesh.target(h)].distance,
-                    unreached(), m_lists[e].size };
+    return Landing(Window_landing<FT>{ e, m_mesh.is_canonical(h), latest(e) <= m_queue.front(), m_mesh.length[e],
+                                       m_labels[m_mesh.source(h)].distance, m_labels[m_mesh.target(h)].distance, m_lists[e].size },
+                   m_queue.is_due(e));
   }
 
   // Receives a window that comes through the face of the halfedge, in the frame of the halfedge.
   BOOST_FORCEINLINE void arrive(Landing& at, W w)
   {
-    const FT l = at.length;
-    if(! (w.y > FT(0)))
+    if(! at.admits(w))
       return;
-    if(w.b0 < FT(0)) w.b0 = FT(0);
-    if(l < w.b1) w.b1 = l;
-    if(! (w.b0 < w.b1))
-      return;
-
-    // Xin and Wang 2009: rays that are longer than the way over an end of the edge lead nowhere.
-    const FT margin = FT(1) + Tol::filter();
-    if(w.is_beyond(w.b1, FT((at.at_source + w.b1) * margin)) ||
-       w.is_beyond(w.b0, FT((at.at_target + (l - w.b0)) * margin)))
-      return;
-
-    w.from_left = true;
-    w.pending = true;
-    if(! at.is_canonical)
-      w.reverse(l);
-    const auto inserted = m_envelope.insert(m_lists, m_lists[at.edge], at.hint, w, l);
+    const auto inserted = m_envelope.insert(m_lists, m_lists[at.edge], at.hint, w, at.length);
     if(inserted != Window_envelope<FT>::NOTHING && ! at.is_due)
       at.nearest = (std::min)(at.nearest, inserted == Window_envelope<FT>::ALL ? w.minimum() : m_envelope.nearest_part());
   }
@@ -146,7 +129,7 @@ public:
     if(m_mesh.length_of(h) == FT(0))
       return;
     Landing at = landing(h);
-    if(at.is_behind)
+    if(at.is_closed)
       return;
     arrive(at, w);
     finish(at);
@@ -155,6 +138,8 @@ public:
   // Puts a window on an edge from which it does not go on, in the frame of h.
   void store(int h, W w)
   {
+    if(behind(h) != -1)
+      return;
     const int e = m_mesh.edge_of[h];
     if(! m_mesh.is_canonical(h))
       w.reverse(m_mesh.length[e]);
@@ -187,7 +172,7 @@ private:
 
   const Mesh& m_mesh;
   bool m_keep_windows;
-  std::vector<int> m_behind;        // per halfedge, empty if windows are kept
+  Open_edges<FT> m_open_edges;
   Window_lists<FT> m_lists;
   std::vector<Vertex_label<FT> > m_labels;
   Front_queue m_queue;

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_MERGING_H
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_lists.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,22 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
     return false;
   merged.error = static_cast<float>(with_rounding);
   return true;
+}
+
+// Merges what may be merged of the pending windows of an edge.
+template <typename FT>
+void merge_neighbours(Window_lists<FT>& lists, Window_list<FT>& list, double allowed)
+{
+  int n = 0;
+  Window<FT> merged;
+  for(const Window<FT>& w : list)
+  {
+    if(n > 0 && list[n - 1].pending && w.pending && merge_windows(list[n - 1], w, allowed, merged))
+      list[n - 1] = merged;
+    else
+      list[n++] = w;
+  }
+  lists.splice(list, n, list.size - n, 0);
 }
 
 } // namespace internal

@@ -11,6 +11,9 @@
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Face_crossing.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Field_sources.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Open_windows.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Source_departure.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Vertex_departure.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Wavefront.h>
@@ -18,8 +21,9 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_merging.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -41,20 +45,29 @@ public:
   typedef Window<FT> W;
   typedef Window_tolerances<FT> Tol;
   typedef Window_list<FT> List;
+  typedef Field_sources<FT> Sources;
 
   static FT unreached() { return Wavefront<FT>::unreached(); }
 
   // `allowed_error`: the relative error that merging windows may cause, 0 for the exact field.
   // `keep_windows`: whether the windows of an edge stay when the front has passed it.
-  explicit Window_propagation(const Mesh& mesh, double allowed_error = 0, bool keep_windows = true)
+  // The sources must stay as they are.
+  Window_propagation(const Mesh& mesh, const Sources& sources, double allowed_error, bool keep_windows)
     : m_mesh(mesh),
       m_allowed_error(allowed_error),
-      m_front(mesh, keep_windows),
+      m_front(mesh, keep_windows, has_groups()),
       m_cross(m_front),
       m_departure(m_front, m_cross)
-  {}
+  {
+    Source_departure<Wavefront<FT> > start(m_front, m_cross, m_departure);
+    for(int i = 0; i < static_cast<int>(sources.elements().size()); ++i)
+      start(sources, i);
+    if(keep_windows)
+      m_open_windows.reset(new Open_windows<FT>(m_front, sources, allowed_error));
+  }
 
-  const List& windows(int edge) const { return m_front.lists()[edge]; }
+  // The windows of an edge after the propagation, if they are kept.
+  List windows(int edge) const { return is_open(edge) ? (*m_open_windows)(edge) : m_front.lists()[edge]; }
   const Vertex_label<FT>& label(int v) const { return m_front.label(v); }
   bool is_reached(int v) const { return label(v).distance < unreached(); }
 
@@ -71,81 +84,12 @@ public:
       else
         ++result.number_of_unreached_vertices;
     }
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      result.number_of_windows += windows(e).size;
+    result.number_of_windows = number_of_listed_windows();
     result.number_of_propagations = m_propagations;
   }
 
-  // Starts rays in all directions from a vertex.
-  void start_at_vertex(int v, const FT& offset, int origin) { m_front.reach(v, offset, origin, 0.f, [] { return 0.; }); }
-
-  // Starts rays in all directions from the place t on halfedge h.
-  void start_on_halfedge(int h, const FT& t, const FT& offset, int origin)
-  {
-    const FT length = m_mesh.length_of(h);
-    m_front.reach(m_mesh.source(h), offset + t, origin, 0.f, [&] { return m_mesh.direction[h]; });
-    m_front.reach(m_mesh.target(h), offset + (length - t), origin, 0.f, [&] { return m_departure.angle_of_reverse(h); });
-    m_front.store(h, W{ FT(0), length, t, FT(0), offset, origin, false, true, false, 0.f });
-    m_departure.leave_point(h, t, offset, origin, 0.f);
-    if(m_mesh.opposite[h] != -1)
-      m_departure.leave_point(m_mesh.opposite[h], FT(length - t), offset, origin, 0.f);
-  }
-
-  // Starts rays in all directions from the point (x, y) in the interior of the face of h.
-  void start_in_face(int h, FT x, FT y, const FT& offset, int origin)
-  {
-    for(int k = 0; k < 3; ++k)
-    {
-      m_front.reach(m_mesh.source(h), offset + square_root(x * x + y * y), origin, 0.f,
-                    [&] { return m_mesh.direction[h] + std::atan2(as_double(y), as_double(x)); });
-      m_cross.arrive(h, W{ FT(0), m_mesh.length_of(h), x, y, offset, origin, false, true, true, 0.f });
-      to_next_frame(m_mesh, h, x, y);
-      h = Mesh::next(h);
-    }
-  }
-
-  // Starts a straight front to both sides from the part [t0, t1] of halfedge h.
-  void start_along_halfedge(int h, const FT& t0, const FT& t1, const FT& offset, int origin)
-  {
-    W w{ t0, t1, FT(0), FT(1), offset, origin, true, true, false, 0.f };
-    m_front.store(h, w);
-    m_cross(h, std::vector<W>(1, w));
-    if(m_mesh.opposite[h] != -1)
-    {
-      w.reverse(m_mesh.length_of(h));
-      m_cross(m_mesh.opposite[h], std::vector<W>(1, w));
-    }
-  }
-
-  // Starts a straight front to both sides from the segment from (ax, ay) to (bx, by) in the face of h.
-  void start_along_segment(int h, FT ax, FT ay, FT bx, FT by, const FT& offset, int origin)
-  {
-    for(int k = 0; k < 3; ++k)
-    {
-      const FT length = m_mesh.length_of(h);
-      const FT vx = bx - ax, vy = by - ay, norm = square_root(vx * vx + vy * vy);
-      const FT ux = vx / norm, uy = vy / norm;
-      for(int side = 0; side < 2; ++side)
-      {
-        const FT nx = side == 0 ? FT(-uy) : uy, ny = side == 0 ? ux : FT(-ux);
-        const FT na = nx * ax + ny * ay, ua = ux * ax + uy * ay;
-        // the corner at the origin of the frame
-        if(-ua >= FT(0) && -ua <= norm && -na >= FT(0))
-          m_front.reach(m_mesh.source(h), offset - na, origin, 0.f,
-                        [&] { return m_mesh.direction[h] + std::atan2(as_double(FT(-ny)), as_double(FT(-nx))); });
-        if(! (ny < FT(0)))
-          continue;
-        const FT slack = FT(Tol::place()) * length;
-        FT t0(0), t1 = length;
-        if(clip(ux, FT(-ua), FT(0), t0, t1) && clip(FT(-ux), FT(norm + ua), FT(0), t0, t1) &&
-           clip(nx, FT(-na), slack, t0, t1))
-          m_cross.arrive(h, W{ t0, t1, nx, FT(-ny), FT(offset - na), origin, true, true, true, 0.f });
-      }
-      to_next_frame(m_mesh, h, ax, ay);
-      to_next_frame(m_mesh, h, bx, by);
-      h = Mesh::next(h);
-    }
-  }
+  // The number of windows on all edges, if they are kept.
+  std::size_t number_of_windows() const { return number_of_listed_windows() + m_open_windows->count(); }
 
   // Lets the front advance until nothing is left to do or `go_on(front)` says no, which is asked
   // before every step with a distance that everything still to come exceeds. Returns that distance.
@@ -177,15 +121,17 @@ public:
   }
 
 private:
-  // Restricts [t0, t1] to where a t + b >= -slack. Returns false if nothing is left.
-  static bool clip(const FT& a, const FT& b, const FT& slack, FT& t0, FT& t1)
+  // What crosses a group in one go takes longer expressions to the other side, which exact types pay for by orders of magnitude.
+  static bool has_groups() { return std::numeric_limits<FT>::digits10 != 0; }
+
+  bool is_open(int edge) const { return m_front.behind(m_mesh.halfedge_of_edge[edge]) != -1; }
+
+  std::size_t number_of_listed_windows() const
   {
-    if(a == FT(0))
-      return b >= -slack;
-    const FT t = -(b + slack) / a;
-    if(a > FT(0)) { if(t0 < t) t0 = t; }
-    else if(t < t1) t1 = t;
-    return t0 < t1;
+    std::size_t n = 0;
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+      n += m_front.lists()[e].size;
+    return n;
   }
 
   // Fetches what the next edges need into the cache: of the first edge where its windows are, of the second one, for
@@ -238,7 +184,7 @@ private:
     Front_queue& queue = m_front.queue();
     List& list = m_front.lists()[e];
     if(m_allowed_error > 0)
-      merge_pending(list);
+      merge_neighbours(m_front.lists(), list, m_allowed_error);
     m_to_left.clear();
     m_to_right.clear();
     double later = std::numeric_limits<double>::infinity();
@@ -268,25 +214,12 @@ private:
     }
   }
 
-  void merge_pending(List& list)
-  {
-    int n = 0;
-    W merged;
-    for(const W& w : list)
-    {
-      if(n > 0 && list[n - 1].pending && w.pending && merge_windows(list[n - 1], w, m_allowed_error, merged))
-        list[n - 1] = merged;
-      else
-        list[n++] = w;
-    }
-    m_front.lists().splice(list, n, list.size - n, 0);
-  }
-
   const Mesh& m_mesh;
   double m_allowed_error;
   Wavefront<FT> m_front;
-  Face_crossing<FT> m_cross;
-  Vertex_departure<FT> m_departure;
+  Face_crossing<Wavefront<FT> > m_cross;
+  Vertex_departure<Wavefront<FT> > m_departure;
+  std::unique_ptr<Open_windows<FT> > m_open_windows;
   std::vector<W> m_to_left, m_to_right;        // the windows that cross now, by the face that they cross
   std::size_t m_propagations = 0, m_passed = 0;
 };
