@@ -194,8 +194,8 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * lines from different irregular vertices meet (Lyon, Campen, Kobbelt: *Quad layouts via constrained T-mesh quantization*,
  * Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is replaced by several parallel ones, so that there
  * are about as many quads as before, or fewer if that gives fewer helices. The layout is chosen by its number of
- * helices, by its number of patches and by how well the lengths of the quads fit to those of the input. A layout on which
- * the smoothing leaves bad quads is given up for another one; if there is none with good quads, the input stays.
+ * helices, by its number of patches, by how many quads there are and by how much they have to be sheared and stretched. A layout
+ * on which the smoothing leaves bad quads is given up for another one; if there is none with good quads, the input stays.
  *
  * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest winding
  * number that can be removed with a gain first, in several of its columns and in both directions, one operator for each unit of
@@ -270,9 +270,8 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *                       of the input, before its dual curves are multiplied.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of layouts that are tried at random in one round. There are up to six rounds, as long as
- *                           more than a fifth of the helices is left or the shape of the quads is not accepted. More of them
- *                           take more time and find fewer patches and helices.}
+ *     \cgalParamDescription{the number of layouts that are tried at random in one round. There are up to four rounds, as long as
+ *                           the goals of the manual are not reached. More of them take more time and find better layouts.}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`10000`}
  *   \cgalParamNEnd

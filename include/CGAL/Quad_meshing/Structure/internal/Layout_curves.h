@@ -41,8 +41,6 @@ public:
 
   std::vector<int> of_edge;             // per edge of the subdivision of the arcs
   std::vector<double> edge_length;      // per curve: mean length of the edges that it crosses, in edges of the input
-  double distortion = 0;                // mean square of what the lengths differ from it, and of the lengths of the
-                                        // arcs that have vanished, relative to the mean squared length
 
   Layout_curves(const Layout_quantization& quantization, const std::vector<int>& length)
     : m_quantization(quantization), m_length(length)
@@ -74,16 +72,6 @@ public:
     m_largest.assign(crossings.size(), any_multiplicity);
     m_bend.assign(crossings.size(), 0);
     for_each_edge([&](int curve, double l) { edge_length[curve] += l / crossings[curve]; });
-    double squared = 0;
-    for_each_edge([&](int curve, double l)
-    {
-      squared += l * l;
-      distortion += (l - edge_length[curve]) * (l - edge_length[curve]);
-    });
-    for(std::size_t a = 0; a < length.size(); ++a)
-      if(length[a] == 0)
-        distortion += double(complex.arcs[a].length()) * complex.arcs[a].length();
-    distortion /= squared;
   }
 
   // Asks for as many parallel curves as it takes to follow the features of the input where they bend.
@@ -129,43 +117,44 @@ public:
     std::vector<int> result;
     for(std::size_t c = 0; c < edge_length.size(); ++c)
     {
-      const double chords = std::sqrt(m_bend[c] / (8 * feature_distance * aim));
       const int even = (std::min)((std::max)(1, static_cast<int>(std::floor(edge_length[c] / aim + 0.5))), m_largest[c]);
-      result.push_back((std::max)(even, static_cast<int>(std::ceil(chords - spared_chord))));
+      result.push_back((std::max)(even, number_of_chords(static_cast<int>(c), aim)));
     }
     return result;
   }
 
-  // The shortest edges that `fits(lengths)` allows: with the same aim for all curves, and then one more of those
-  // curves whose edges are the longest.
-  template <typename Fits>
-  std::vector<int> densest_lengths(double first_aim, const Fits& fits) const
+  // Whether a curve may be replaced by so many parallel ones.
+  bool allows(int curve, int multiplicity) const
   {
-    constexpr double coarser = 1.01;
-    const double longest = *std::max_element(edge_length.begin(), edge_length.end());
-    double aim = first_aim;
-    while(aim < 2 * longest && !fits(lengths(aim)))
-      aim *= coarser;
-    std::vector<int> multiplicity = aim < 2 * longest ? multiplicities(aim) : std::vector<int>(edge_length.size(), 1);
-    std::vector<int> order(multiplicity.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int c, int d)
+    return multiplicity <= m_largest[curve] && multiplicity >= (std::max)(1, number_of_chords(curve, 1));
+  }
+
+  // About the lengths of the input, but no more quads than that.
+  std::vector<int> multiplicities_within(int most_quads) const
+  {
+    // How often the aim is corrected, and by how much more than needed.
+    constexpr int corrections = 5;
+    constexpr double margin = 1.02;
+    double aim = 1;
+    std::vector<int> result = multiplicities(aim);
+    for(int i = 0; i < corrections; ++i)
     {
-      const double a = edge_length[c] / multiplicity[c], b = edge_length[d] / multiplicity[d];
-      return a != b ? a > b : c < d;
-    });
-    for(int c : order)
-    {
-      if(multiplicity[c] >= m_largest[c])
-        continue;
-      ++multiplicity[c];
-      if(!fits(lengths(multiplicity)))
-        --multiplicity[c];
+      const double quads = m_quantization.number_of_quads(lengths(result));
+      if(quads <= most_quads)
+        break;
+      aim *= margin * std::sqrt(quads / most_quads);
+      result = multiplicities(aim);
     }
-    return lengths(multiplicity);
+    return result;
   }
 
 private:
+  // How many chords follow the bends of the features that a curve crosses, with edges of about a given length.
+  int number_of_chords(int curve, double aim) const
+  {
+    return static_cast<int>(std::ceil(std::sqrt(m_bend[curve] / (8 * feature_distance * aim)) - spared_chord));
+  }
+
   // Calls f(curve, length in the input) for all edges.
   template <typename Function>
   void for_each_edge(const Function& f) const

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
 #include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
 
 #include <algorithm>
@@ -27,9 +28,6 @@ namespace internal {
 class Layout_helices
 {
 public:
-  // Part of the helices of the input that may be left without curves being multiplied less.
-  static constexpr double tolerated_part = 0.2;
-
   // `r` is the layout itself, which must live as long as the object; `curves` are those of the same lengths.
   Layout_helices(const Layout_realization& r, const Layout_curves& curves)
     : m_mesh(r.mesh), m_lines(r.mesh), m_relation(side_relations(r.mesh, m_lines)),
@@ -54,7 +52,7 @@ public:
     std::vector<int> largest(m_helices.size(), Layout_curves::any_multiplicity);
     for(std::size_t c = 0; c < m_helices.size(); ++c)
       if(m_helices[c] > 0)
-        largest[c] = (std::max)(1, static_cast<int>(tolerated_part * helices_of_input / helices));
+        largest[c] = (std::max)(1, static_cast<int>(Layout_goals::tolerated_helices * helices_of_input / helices));
     return largest;
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
@@ -34,6 +35,8 @@ class Layout_optimizer
 public:
   // The lengths of the edges, in edges of the input, between which one is chosen, and the factor between two trials.
   static constexpr double least_edge_length = 0.5, largest_edge_length = 1000, finer = 0.95;
+  // How often the multiplicities of all curves are changed at most.
+  static constexpr int largest_number_of_changes = 10;
 
   // One of so many scales gives a layout that the mesh gets if the coarser ones do not fit its shape.
   static constexpr int scales_between = 4;
@@ -42,11 +45,14 @@ public:
   Layout_optimizer(const Structure_state& input, bool merge_singularities, std::size_t target_quads, std::size_t target_patches)
     : m_input(input), m_merge_singularities(merge_singularities), m_target_quads(static_cast<int>(target_quads)),
       m_target_patches(target_patches), m_structure(structure_of_quad_mesh(input.mesh)),
+      m_goals(m_structure, quality_of_quad_mesh(input.mesh), m_target_quads),
       m_complex(input.mesh, input.is_fixed), m_bends(input.mesh, m_complex)
   {
     for(int h = 0; h < input.mesh.number_of_halfedges(); ++h)
       m_border_edges += input.mesh.is_border(h);
   }
+
+  const Layout_goals& goals() const { return m_goals; }
 
   // Looks for layouts, `attempts` times at random. `progress` gets numbers from 0 to 1.
   template <typename GoFurther, typename Progress>
@@ -55,7 +61,9 @@ public:
     if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
       return;
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
-    m_search.reset(new Layout_search(m_input.mesh, m_structure, *m_quantization, m_bends, m_input.is_fixed));
+    m_search.reset(new Layout_search(m_input.mesh, m_structure, m_goals, *m_quantization, m_bends, m_input.is_fixed));
+    // what is compared in the end: not more quads for more helices
+    m_goals.neglect_loss();
     const double quads_per_irregular_vertex =
       m_merge_singularities ? Layout_search::quads_when_merging : Layout_search::quads_per_irregular_vertex;
     const int quads = static_cast<int>((std::min)(quads_per_irregular_vertex * m_structure.number_of_irregular_vertices,
@@ -70,11 +78,11 @@ public:
     m_search->anneal(attempts, m_target_patches, m_layouts, reporting(attempts, go_further, progress));
   }
 
-  // Looks for others, whose shape is better; false if this has been done too often.
+  // Looks for others, with less distortion if the shape of these was not accepted; false if this has been done too often.
   template <typename GoFurther, typename Progress>
-  bool search_again(int attempts, const GoFurther& go_further, const Progress& progress)
+  bool search_again(int attempts, bool with_caution, const GoFurther& go_further, const Progress& progress)
   {
-    return m_search && m_search->anneal_with_caution(attempts, m_layouts, reporting(attempts, go_further, progress));
+    return m_search && m_search->anneal_again(attempts, with_caution, m_layouts, reporting(attempts, go_further, progress));
   }
 
   // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
@@ -107,11 +115,9 @@ private:
     Layout_curves curves(quantization, layout);
     curves.follow(m_bends);
     const Layout_realization itself(m_input.mesh, quantization, layout, m_input.is_fixed, Layout_realization::TOPOLOGY);
-    curves.limit_multiplicities(Layout_helices(itself, curves).largest_multiplicities(m_structure.number_of_helices));
-    std::vector<int> length = curves.densest_lengths(least_edge_length, [&](const std::vector<int>& l)
-    {
-      return fits(quantization, l) && quantization.number_of_quads(l) <= m_target_quads;
-    });
+    const Layout_helices helices(itself, curves);
+    const Layout_cost::Density density = m_search->cost().density(curves, helices, m_target_quads);
+    std::vector<int> length = improved(quantization, curves, helices, density.multiplicities);
     // a very coarse mesh may have edges that share both ends
     double aim = largest_edge_length;
     while(fits(quantization, length))
@@ -134,6 +140,48 @@ private:
         return false;
     }
     return false;
+  }
+
+  // Changes the multiplicities one by one as long as the price falls, beginning with coarser ones if these do not fit.
+  std::vector<int> improved(const Layout_quantization& quantization, const Layout_curves& curves, const Layout_helices& helices,
+                            std::vector<int> multiplicity) const
+  {
+    std::vector<int> length = curves.lengths(multiplicity);
+    auto is_possible = [&] { return fits(quantization, length) && quantization.number_of_quads(length) <= m_target_quads; };
+    auto price = [&]
+    {
+      return !is_possible() ? Layout_cost::forbidden
+           : m_goals.price_of_growth(Layout_cost::squared_degrees * m_search->cost().distortion()(length))
+             + m_goals.price_of_structure(helices.number_of_helices(multiplicity), 0, quantization.number_of_quads(length));
+    };
+    for(double aim = 1; !is_possible() && aim < largest_edge_length; aim /= finer)
+    {
+      multiplicity = curves.multiplicities(aim);
+      length = curves.lengths(multiplicity);
+    }
+    double best = price();
+    bool is_better = best < Layout_cost::forbidden;
+    for(int round = 0; is_better && round < largest_number_of_changes; ++round)
+    {
+      is_better = false;
+      for(int c = 0; c < curves.number_of_curves(); ++c)
+        for(int by : { 1, -1 })
+        {
+          if(!curves.allows(c, multiplicity[c] + by))
+            continue;
+          multiplicity[c] += by;
+          length = curves.lengths(multiplicity);
+          const double p = price();
+          if(p < best)
+          {
+            best = p;
+            is_better = true;
+          }
+          else
+            multiplicity[c] -= by;
+        }
+    }
+    return curves.lengths(multiplicity);
   }
 
   // The result has no more quads, edges and vertices than the input: nothing has to be allocated.
@@ -188,6 +236,7 @@ private:
   int m_target_quads;
   std::size_t m_target_patches;
   Quad_mesh_structure m_structure;
+  Layout_goals m_goals;
   Motorcycle_complex m_complex;
   Feature_bends m_bends;
   std::unique_ptr<Layout_quantization> m_quantization;

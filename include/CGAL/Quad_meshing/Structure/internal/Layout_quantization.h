@@ -92,15 +92,6 @@ public:
     return quads;
   }
 
-  // Mean squared difference of the lengths and the original ones divided by `scale`.
-  double misfit(double scale) const
-  {
-    double sum = 0;
-    for(std::size_t a = 0; a < length.size(); ++a)
-      sum += excess(a, scale) * excess(a, scale);
-    return sum / length.size();
-  }
-
   // Shortens arcs until they have about their original length divided by `scale`, as far as that does not
   // merge what must stay apart; the one that is too long by most comes first.
   void shorten(double scale)
@@ -120,17 +111,19 @@ public:
         return;
       // much at once, as far as the other arcs allow it
       int by = -(std::max)(1, static_cast<int>(worst_excess / 2));
-      while(by < -1 && !change(worst, by, scale, 0, true))
+      auto price = [&](std::size_t a, int change) { return -gain(a, change, scale); };
+      while(by < -1 && !change(worst, by, price, 0, true))
         by /= 2;
-      if(by == -1 && !change(worst, by, scale, 0, true))
+      if(by == -1 && !change(worst, by, price, 0, true))
         has_failed[worst] = 1;
     }
   }
 
   // Adds `by` to the lengths along a cheap path across an arc; false if none is found, or with
-  // `only_with_gain` if the lengths would fit worse to the scale. The path is cheap if the lengths fit to the
-  // scale afterwards, and if it crosses few edges of the input, each of which costs `edge_cost`.
-  bool change(int arc, int by, double scale, double edge_cost, bool only_with_gain)
+  // `only_with_gain` if its price is not negative. The path is cheap by the sum of `price(arc, change)` over the arcs, and
+  // if it crosses few edges of the input, each of which costs `edge_cost`.
+  template <typename Price>
+  bool change(int arc, int by, const Price& price, double edge_cost, bool only_with_gain)
   {
     std::vector<char> forbidden(length.size(), 0);
     if(by < 0)
@@ -146,7 +139,7 @@ public:
     std::vector<int> path, times(length.size());
     for(int attempt = 0; attempt < repairs; ++attempt)
     {
-      if(!find_path(arc, by, scale, edge_cost, forbidden, path))
+      if(!find_path(arc, by, price, edge_cost, forbidden, path))
         return false;
       std::fill(times.begin(), times.end(), 0);
       for(int a : path)
@@ -157,7 +150,7 @@ public:
       {
         if(length[a] + by * times[a] < 0)
           conflict = a;
-        sum += gain(a, by * times[a], scale) / times[a];
+        sum -= price(a, by * times[a]) / times[a];
       }
       if(conflict == -1)
       {
@@ -186,6 +179,12 @@ public:
     return false;
   }
 
+  // The same, the price of an arc being what it then fits worse to the scale.
+  bool change(int arc, int by, double scale, double edge_cost, bool only_with_gain)
+  {
+    return change(arc, by, [&](std::size_t a, int change) { return -gain(a, change, scale); }, edge_cost, only_with_gain);
+  }
+
 private:
   double excess(std::size_t arc, double scale) const
   {
@@ -201,7 +200,8 @@ private:
 
   // A cheap closed path across an arc, or one that begins and ends at the border. State 2*a + i stands for
   // the way across arc a into its patch i.
-  bool find_path(int arc, int by, double scale, double edge_cost, const std::vector<char>& forbidden,
+  template <typename Price>
+  bool find_path(int arc, int by, const Price& price, double edge_cost, const std::vector<char>& forbidden,
                  std::vector<int>& path)
   {
     // the patch of a border arc is its patch 0
@@ -213,7 +213,7 @@ private:
         path.push_back(s / 2);
     };
     const int forward = 2 * arc, backward = 2 * arc + 1;
-    const int end = search(forward, at_border ? -1 : forward, by, scale, edge_cost, forbidden);
+    const int end = search(forward, at_border ? -1 : forward, by, price, edge_cost, forbidden);
     if(end == -1)
       return false;
     if(end == forward)
@@ -224,7 +224,7 @@ private:
     append_way(forward, end);
     if(at_border)
       return true;
-    const int other_end = search(backward, -1, by, scale, edge_cost, forbidden);
+    const int other_end = search(backward, -1, by, price, edge_cost, forbidden);
     if(other_end == -1)
       return false;
     append_way(backward, other_end);
@@ -232,7 +232,8 @@ private:
   }
 
   // Cheapest way from a state back to `target`, or out of the mesh; gives the state where it ends.
-  int search(int start, int target, int by, double scale, double edge_cost, const std::vector<char>& forbidden)
+  template <typename Price>
+  int search(int start, int target, int by, const Price& price, double edge_cost, const std::vector<char>& forbidden)
   {
     typedef std::pair<double, int> Item;
     std::priority_queue<Item, std::vector<Item>, std::greater<Item> > queue;
@@ -256,7 +257,7 @@ private:
       {
         if(forbidden[s.arc])
           continue;
-        const double d = item.first + crossing + (std::max)(least_cost, -gain(s.arc, by, scale));
+        const double d = item.first + crossing + (std::max)(least_cost, price(s.arc, by));
         // the rectangle lies on the left of the arc if the side runs along it
         const int next = 2 * s.arc + (s.forward ? 1 : 0);
         if(d < m_distance[next])

@@ -13,6 +13,8 @@
 #include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
 #include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
@@ -33,35 +35,43 @@ namespace internal {
 class Layout_cost
 {
 public:
-  // Weights against the number of patches, as a part of what there is at first: of the number of helices without and with
-  // crossings, as parts of those of the input, of the distortion, of how far features are not followed, and of the part of
-  // the quads of the input that is missing when the curves are multiplied.
-  static constexpr double helix_weight = 2, crossing_weight = 0.5, distortion_weight = 2, feature_weight = 5, missing_weight = 1.5;
-  // Numbers of helices below which one of them does not weigh more.
-  static constexpr int few_helices = 5;
-  // How much more helices weigh that are not tolerated.
-  static constexpr double excess_helix_weight = 6;
-  // Part of the patches of the input above which more of them cost so much more.
-  static constexpr double most_patches = 0.33, excess_weight = 15;
-  // Factor of the weight of the distortion when the shape was not accepted.
-  static constexpr double caution = 3;
+  // Weights of what is no goal: helices that may cross themselves, as a part of those of the input, and features that are
+  // not followed.
+  static constexpr double crossing_weight = 0.5, feature_weight = 5;
+  // The distortion of a layout, as a part of one, that costs the corners of its quads a squared degree.
+  static constexpr double squared_degrees = 500;
+  // Largest number of quads of a layout, as a multiple of that of the first one: the smaller number or more, so many that there are
+  // about as many as in the input when each curve is replaced by two, but not more than the larger number; and the factor when
+  // none has reached the goals.
+  static constexpr double least_growth = 1.3, largest_growth = 2, twice_as_fine = Layout_goals::looked_at / 4, more_quads = 1.25;
+  // Factor of the distortion when the shape was not accepted.
+  static constexpr double caution = 2;
 
   static constexpr double forbidden = (std::numeric_limits<double>::max)();
 
-  Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_quantization& quantization,
-              const Feature_bends& bends, const std::vector<char>& is_fixed)
-    : m(input), m_structure(structure), m_quantization(quantization), m_bends(bends), m_is_fixed(is_fixed)
+  Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_goals& goals,
+              const Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed)
+    : m(input), m_structure(structure), m_goals(goals), m_quantization(quantization), m_bends(bends), m_is_fixed(is_fixed),
+      m_distortion(input, quantization.complex(), quantization.rules(), is_fixed)
   {}
 
   int number_of_patches() const { return number_of_base_complex_patches(realization().mesh); }
+  const Layout_distortion& distortion() const { return m_distortion; }
 
   // Measures by a first layout what is many; `largest_patches` must not be exceeded, unless it is 0.
   void start(std::size_t largest_patches)
   {
-    m_first_patches = number_of_patches();
-    m_largest_patches = largest_patches > 0 ? (std::max)(static_cast<int>(largest_patches), m_first_patches)
+    m_largest_patches = largest_patches > 0 ? (std::max)(static_cast<int>(largest_patches), number_of_patches())
                                             : (std::numeric_limits<int>::max)();
-    m_largest_quads = 2 * m_quantization.number_of_quads(m_quantization.length);
+    const double first = m_quantization.number_of_quads(m_quantization.length);
+    m_largest_quads = (std::max)(least_growth * first, (std::min)(largest_growth * first, twice_as_fine * m.number_of_faces()));
+  }
+
+  // From now on layouts may have more quads, and lost quads count less.
+  void allow_more_quads()
+  {
+    m_largest_quads *= more_quads;
+    m_goals.neglect_loss();
   }
 
   // From now on layouts may be distorted less.
@@ -72,52 +82,67 @@ public:
   {
     if(m_quantization.number_of_quads(m_quantization.length) > m_largest_quads)
       return forbidden;
-    const Layout_curves curves(m_quantization, m_quantization.length);
-    double cost = m_caution * distortion_weight * curves.distortion;
-    if(cost > limit)
-      return cost;
-
+    Layout_curves curves(m_quantization, m_quantization.length);
     const Layout_realization r = realization();
     const Layout_helices helices(r, curves);
-    const std::vector<int> multiplicities = multiplicities_of(curves, helices);
-    const double n = helices.number_of_helices(multiplicities);
-    cost += (helix_weight * n + excess_helix_weight * (std::max)(0., n - most_helices())) / at_least_few(m_structure.number_of_helices)
-          + feature_weight * curves.feature_misfit(m_bends, multiplicities);
+    const Density d = density(curves, helices, static_cast<int>(Layout_goals::looked_at * m_goals.most_quads()));
+    double cost = d.price + feature_weight * curves.feature_misfit(m_bends, d.multiplicities);
     if(cost > limit)
       return cost;
-
-    const double quads = m_quantization.number_of_quads(curves.lengths(multiplicities));
     const int patches = number_of_base_complex_patches(r.mesh);
     if(patches > m_largest_patches)
       return forbidden;
-    cost += missing_weight * (std::max)(0., 1 - quads / m.number_of_faces()) + double(patches) / m_first_patches
-          + excess_weight * (std::max)(0., patches / (most_patches * m_structure.number_of_patches) - 1);
-    return cost > limit ? cost : cost + crossing_weight * helices.number_of_helices_with_crossings(multiplicities)
-                                      / at_least_few(m_structure.number_of_helices_with_crossings);
+    cost += m_goals.price_of_structure(d.helices, patches, d.quads);
+    if(cost > limit)
+      return cost;
+    const int crossings = (std::max)(Layout_goals::few_helices, static_cast<int>(m_structure.number_of_helices_with_crossings));
+    return cost + crossing_weight * helices.number_of_helices_with_crossings(d.multiplicities) / crossings;
   }
 
-  // Whether no more helices are left than are tolerated.
-  bool has_few_helices() const
+  // Whether the layout reaches all goals.
+  bool has_reached_goals() const
   {
-    const Layout_curves curves(m_quantization, m_quantization.length);
+    Layout_curves curves(m_quantization, m_quantization.length);
     const Layout_realization r = realization();
-    const Layout_helices helices(r, curves);
-    return helices.number_of_helices(multiplicities_of(curves, helices)) <= most_helices();
+    const Density d = density(curves, Layout_helices(r, curves), m_goals.most_quads());
+    return m_goals.are_reached(d.helices, number_of_base_complex_patches(r.mesh), d.quads, d.growth);
+  }
+
+  // How many parallel ones replace each curve, and what this gives. `growth` is that of the squared deviation.
+  struct Density
+  {
+    std::vector<int> multiplicities;
+    double helices = 0, quads = 0, growth = 0, price = 0;
+  };
+
+  // About the lengths of the edges of the input; the cheaper way of two: curves with helices are multiplied like others, or only as
+  // far as helices are tolerated. Limits the multiplicities of the curves if it is the second one.
+  Density density(Layout_curves& curves, const Layout_helices& helices, int most_quads) const
+  {
+    const Density free = density_of(curves, helices, curves.multiplicities_within(most_quads));
+    if(free.helices <= Layout_goals::tolerated_helices * m_structure.number_of_helices)
+      return free;
+    curves.limit_multiplicities(helices.largest_multiplicities(m_structure.number_of_helices));
+    const Density limited = density_of(curves, helices, curves.multiplicities_within(most_quads));
+    if(limited.price + m_goals.price_of_structure(limited.helices, 0, limited.quads)
+       <= free.price + m_goals.price_of_structure(free.helices, 0, free.quads))
+      return limited;
+    curves.limit_multiplicities(std::vector<int>(curves.number_of_curves(), Layout_curves::any_multiplicity));
+    return free;
   }
 
 private:
-  // So many parallel curves give edges the length of those of the input.
-  std::vector<int> multiplicities_of(const Layout_curves& curves, const Layout_helices& helices) const
+  Density density_of(const Layout_curves& curves, const Layout_helices& helices, std::vector<int> multiplicities) const
   {
-    std::vector<int> result = helices.largest_multiplicities(m_structure.number_of_helices);
-    for(std::size_t c = 0; c < result.size(); ++c)
-      result[c] = (std::min)(result[c], (std::max)(1, static_cast<int>(curves.edge_length[c])));
-    return result;
+    Density d;
+    const std::vector<int> length = curves.lengths(multiplicities);
+    d.helices = helices.number_of_helices(multiplicities);
+    d.quads = m_quantization.number_of_quads(length);
+    d.growth = squared_degrees * m_distortion(length);
+    d.price = m_goals.price_of_growth(m_caution * d.growth);
+    d.multiplicities = std::move(multiplicities);
+    return d;
   }
-
-  double most_helices() const { return Layout_helices::tolerated_part * m_structure.number_of_helices; }
-
-  static double at_least_few(std::size_t n) { return (std::max)(few_helices, static_cast<int>(n)); }
 
   Layout_realization realization() const
   {
@@ -126,11 +151,14 @@ private:
 
   const Indexed_quad_mesh& m;
   const Quad_mesh_structure& m_structure;     // of this mesh
+  Layout_goals m_goals;
   const Layout_quantization& m_quantization;
   const Feature_bends& m_bends;
   const std::vector<char>& m_is_fixed;
+  Layout_distortion m_distortion;
   double m_caution = 1;
-  int m_first_patches = 1, m_largest_patches = 0, m_largest_quads = 0;
+  int m_largest_patches = 0;
+  double m_largest_quads = 0;
 };
 
 // Looks for a coarse layout with few patches and few helices.
@@ -147,30 +175,35 @@ public:
   // may become one, and largest part of the quads of the input.
   static constexpr int quads_per_irregular_vertex = 20, quads_when_merging = 3;
   static constexpr double largest_part = 0.25;
-  // Factor between two scales, the largest one, and after how many at which nothing has become shorter no more are tried.
-  static constexpr double scale_step = 1.05, largest_scale = 100;
+  // The first scale, as a part of the one at which a mesh would have so few quads if all its arcs became shorter alike. Factor
+  // between two scales, the largest one, and after how many at which nothing has become shorter no more are tried.
+  static constexpr double first_scale = 0.35, scale_step = 1.05, largest_scale = 100;
   static constexpr int futile_scales = 15;
   // A worse layout is taken with probability exp(-difference / temperature), the temperature falling by the same factor
-  // from step to step. Each round begins cooler than the one before.
-  static constexpr double first_temperature = 0.7, last_temperature = 0.1;
+  // from step to step.
+  static constexpr double first_temperature = 1.5, last_temperature = 0.15;
   // How often the search begins anew, with the best layout so far, as long as more helices are left than are tolerated or the
   // shape is not accepted; less often on large meshes, whose layouts take longer: as often as they have together so many
   // quads.
-  static constexpr int largest_number_of_rounds = 6, quads_of_all_rounds = 60000;
+  static constexpr int largest_number_of_rounds = 4, quads_of_all_rounds = 60000;
   // And how often before the shape is looked at.
   static constexpr int rounds_at_once = 2;
+  // Number of arcs above which more layouts are tried, in proportion, and how many times as many at most.
+  static constexpr double easy_arcs = 200, most_effort = 2;
   // How many layouts of each round are kept for the case that the best one does not fit the shape.
   static constexpr int largest_number_of_runners_up = 24;
   // Largest cost of an edge of the input on a path that is changed; it is varied to find different paths.
-  static constexpr double largest_edge_cost = 0.2;
+  static constexpr double largest_edge_cost = 0.1;
 
-  Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, Layout_quantization& quantization,
-                const Feature_bends& bends, const std::vector<char>& is_fixed)
-    : m_quantization(quantization), m_cost(mesh, structure, quantization, bends, is_fixed),
+  Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, const Layout_goals& goals,
+                Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed)
+    : m_quantization(quantization), m_cost(mesh, structure, goals, quantization, bends, is_fixed),
+      m_effort((std::min)(most_effort, (std::max)(1., double(quantization.length.size()) / easy_arcs))),
       m_most_rounds((std::max)(1, (std::min)(largest_number_of_rounds, quads_of_all_rounds / mesh.number_of_faces())))
   {}
 
   int number_of_rounds() const { return m_most_rounds; }
+  const Layout_cost& cost() const { return m_cost; }
 
   // Shortens the arcs until there are at most so many patches, or with `patches` 0 so many quads. Calls
   // `record()` after each scale.
@@ -182,6 +215,8 @@ public:
       return patches > 0 ? std::size_t(m_cost.number_of_patches()) <= patches
                          : m_quantization.number_of_quads(m_quantization.length) <= quads;
     };
+    if(quads > 0)
+      m_scale = (std::max)(1., first_scale * std::sqrt(double(m_quantization.number_of_quads(m_quantization.length)) / quads));
     std::vector<int> before;
     for(int futile = 0; futile < futile_scales && m_scale < largest_scale && !is_coarse() && go_further(); )
     {
@@ -203,13 +238,15 @@ public:
     anneal_further(attempts, runners_up, go_further);
   }
 
-  // Goes on, as the shape of those so far was not accepted; false if there have been too many rounds.
+  // Goes on, with less distortion if the shape of those so far was not accepted; false if there have been too many rounds.
   template <typename GoFurther>
-  bool anneal_with_caution(int attempts, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  bool anneal_again(int attempts, bool with_caution, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
   {
     if(m_rounds >= m_most_rounds)
       return false;
-    m_cost.avoid_distortion();
+    m_cost.allow_more_quads();
+    if(with_caution)
+      m_cost.avoid_distortion();
     anneal_further(attempts, runners_up, go_further);
     return true;
   }
@@ -223,8 +260,8 @@ private:
     bool again = true;
     for(int round = 0; round < rounds_at_once && again && go_further(); ++round)
     {
-      anneal_once(attempts, runners_up, go_further);
-      again = ++m_rounds < m_most_rounds && !m_cost.has_few_helices();
+      anneal_once(static_cast<int>((m_rounds < rounds_at_once ? 1 : m_effort) * attempts), runners_up, go_further);
+      again = ++m_rounds < m_most_rounds && !m_cost.has_reached_goals();
     }
     if(runners_up.empty() || runners_up.back() != m_quantization.length)
       runners_up.push_back(m_quantization.length);
@@ -236,7 +273,7 @@ private:
     std::vector<int>& length = m_quantization.length;
     double now = m_cost(Layout_cost::forbidden), best = now;
     std::vector<int> best_length = length, before;
-    const double hottest = (std::max)(last_temperature, first_temperature / (1 + m_rounds));
+    std::vector<double> price = m_cost.distortion().prices(length);
     for(int i = 0; i < attempts && go_further(); ++i)
     {
       before = length;
@@ -246,13 +283,18 @@ private:
       {
         const double r = m_random.get_double();
         const int arc = m_random.get_int(0, static_cast<int>(length.size()));
-        changed = m_quantization.change(arc, m_random.get_bool() ? 1 : -1, m_scale, largest_edge_cost * r * r, false);
+        const int by = m_random.get_bool() ? 1 : -1;
+        changed = m_quantization.change(arc, by, [&](std::size_t a, int change) { return change * price[a]; },
+                                        largest_edge_cost * r * r, false);
       }
-      const double temperature = hottest * std::pow(last_temperature / hottest, double(i) / attempts);
+      const double temperature = first_temperature * std::pow(last_temperature / first_temperature, double(i) / attempts);
       const double limit = now - temperature * std::log(1 - m_random.get_double());
       const double c = changed ? m_cost(limit) : Layout_cost::forbidden;
       if(c <= limit)
+      {
         now = c;
+        price = m_cost.distortion().prices(length);
+      }
       else
         length = before;
       if(now < best)
@@ -270,7 +312,7 @@ private:
   Layout_quantization& m_quantization;
   Layout_cost m_cost;
   Random m_random{ 0 };
-  double m_scale = 1;
+  double m_scale = 1, m_effort;
   int m_most_rounds, m_rounds = 0;
 };
 

@@ -10,7 +10,7 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_STRUCTURE_METHODS_H
 
 #include <CGAL/Quad_meshing/Structure/internal/Accepted_shape.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_optimizer.h>
 #include <CGAL/Quad_meshing/Structure/internal/Shape_watch.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
@@ -34,23 +34,18 @@ struct Structure_options
   unsigned int smoothing_iterations = 20;
 };
 
-// Looks for a coarse layout and takes one on which the smoothing leaves good quads and that has few helices: the best one, or
-// one with better quads among the next few. If there are only others, the one with the fewest helices and patches among
-// these is taken; if the shape of none is accepted, the mesh stays as it is. `smooth(state, sweeps)` smooths and returns
-// what has been done.
+// Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is accepted
+// after smoothing; if the shape of none is, the mesh stays as it is. `smooth(state, sweeps)` smooths and returns what has been done.
 template <typename Smooth, typename Visitor>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
                      const Smooth& smooth, Visitor& visitor)
 {
-  // How many layouts are tried before others are looked for; how many more for better quads once one is accepted, fewer on
-  // large meshes: as many as have together so many quads. And how many quads all layouts have together that are tried.
+  // How many layouts are realized and smoothed after each search, and how many quads all of them have together at most.
   constexpr int layouts_per_search = 4;
-  constexpr std::size_t further_layouts = 4, further_quads = 20000, most_quads = 400000;
+  constexpr std::size_t most_quads = 400000;
   const std::size_t quads = optimizer.state.mesh.corners.size();
   const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
                            : options.collapse_dual_curves ? 1 : quads;
-  const Structure_optimizer::Score before = optimizer.score();
-  const double most_helices = Layout_helices::tolerated_part * before.helices;
   const int attempts = static_cast<int>(options.layouts);
   auto go_further = [&] { return visitor.go_further(); };
   auto progress = [&](double p) { visitor.progress(p); };
@@ -58,46 +53,30 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   layout.search(attempts, go_further, progress);
 
   Structure_state best, candidate;
-  bool is_found = false, may_search = true;
-  double best_jacobian = 0, best_size = 0;
-  int best_helices = 0, tried = 0;
+  double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
-  int left = static_cast<int>((std::min)(further_layouts, further_quads / quads));
-  while(left >= 0 && quads_tried < most_quads && visitor.go_further() && layout.next(candidate))
+  bool is_done = false;
+  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate); )
   {
     quads_tried += candidate.mesh.corners.size();
     const Structure_optimizer::Score score = Structure_optimizer::score_of(candidate.mesh);
-    const int helices = score.helices;
-    const double size = double(helices) / (std::max)(1, before.helices) + double(score.patches) / before.patches;
-    const bool has_few = helices <= most_helices;
     const Quad_mesh_smoothing_result shape = smooth(candidate, options.smoothing_iterations);
+    const Layout_goals::Reached reached = layout.goals().reached(score.helices, score.patches, shape.quality_after);
     const bool is_accepted = accepted.accepts(shape);
-    if(is_accepted)
+    if(is_accepted && reached.price < least_price)
     {
-      const double jacobian = shape.quality_after.minimal_scaled_jacobian;
-      const bool is_better = has_few ? best_helices > most_helices || jacobian > best_jacobian
-                                      : best_helices > most_helices && size < best_size;
-      const bool is_good = accepted.is_good(shape);
-      if(!is_found || is_better)
-      {
-        best_jacobian = jacobian;
-        best_helices = helices;
-        best_size = size;
-        best = std::move(candidate);
-      }
-      is_found = true;
-      if(has_few && is_good)
-        break;
+      least_price = reached.price;
+      best = std::move(candidate);
     }
-    if(is_found && (best_helices <= most_helices || (is_accepted && !may_search)))
-      --left;
-    if(++tried == layouts_per_search && (!is_found || best_helices > most_helices))
+    is_done = is_accepted && reached.all && accepted.is_good(shape);
+    if(++tried == layouts_per_search && !is_done)
     {
+      const bool any = least_price < Layout_cost::forbidden;
+      is_done = !layout.search_again(attempts, !any, go_further, progress) && any;
       tried = 0;
-      may_search = may_search && layout.search_again(attempts, go_further, progress);
     }
   }
-  if(is_found)
+  if(least_price < Layout_cost::forbidden)
     optimizer.set_state(std::move(best));
 }
 
