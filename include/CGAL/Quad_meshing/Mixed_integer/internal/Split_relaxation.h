@@ -59,7 +59,11 @@ public:
 
     m_weights = start;
     while(!evaluate(m_weights, m_at))
+    {
       m_weights *= 0.5;
+      if(!(m_weights.minCoeff() > 0)) // coefficients that are not finite
+        return false;
+    }
     m_mu = (std::max)(first_accuracy / count, last_mu);
     for(;;)
     {
@@ -86,8 +90,6 @@ public:
     const double round_off = 1e-10;
     return m_at.bound - round_off * (1 + m_at.magnitude);
   }
-
-  const Eigen::VectorXd& weights() const { return m_weights; }
 
   // By how much the mean of (b'y + u)^2 exceeds 1/4 on the central path.
   double slack(int i) const { return m_mu / m_weights[i]; }
@@ -151,7 +153,7 @@ private:
     const Eigen::VectorXd step = cholesky.solve(gradient);
     decrement = gradient.dot(step);
 
-    double longest = std::numeric_limits<double>::max();
+    double longest = (std::numeric_limits<double>::max)();
     for(int i = 0; i < n; ++i)
       if(step[i] < 0)
         longest = (std::min)(longest, -to_boundary * m_weights[i] / step[i]);
