@@ -435,7 +435,11 @@ void test_separated_rounding()
         s.offset[k] = QM::internal::Integer_form::variable(random.get_int(0, n), 1);
         s.offset[k].add(QM::internal::Integer_form::variable(random.get_int(0, n), 1), -1);
       }
-    const auto energy = [&](const Eigen::VectorXd& z) { return 0.5 * z.dot(S * z) - z.dot(c); };
+    const auto energy = [&](const Eigen::VectorXd& z)
+    {
+      const Eigen::VectorXd gradient = 0.5 * S * z - c;
+      return z.dot(gradient);
+    };
     const auto all_hold = [&](const Eigen::VectorXd& z)
     {
       for(const auto& s : separations)
