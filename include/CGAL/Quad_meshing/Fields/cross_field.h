@@ -103,7 +103,7 @@ namespace Quad_meshing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_bound_rounds}
  *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes of at most a few hundred triangles:
- *       six take some seconds with 100 integers, and the time grows like the cube of the integers. See `solve_mixed_integer()`.}
+ *       six take some seconds with 100 integers, and each step takes time cubic in them. See `solve_mixed_integer()`.}
  *     \cgalParamType{`int`}
  *     \cgalParamDefault{`0`}
  *   \cgalParamNEnd

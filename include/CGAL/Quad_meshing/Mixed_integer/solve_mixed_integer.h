@@ -97,7 +97,7 @@ exception is thrown and nothing is printed.
   \cgalParamNBegin{number_of_bound_rounds}
     \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE_ROUNDING` where the
                           enumeration has not proven the optimum. A round adds as many inequalities as there are integers; six take some
-                          seconds with 100 integers, and the time grows like the cube of the integers.}
+                          seconds with 100 integers, and each step takes time cubic in them.}
     \cgalParamType{`int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
