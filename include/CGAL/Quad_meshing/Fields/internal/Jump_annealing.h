@@ -48,7 +48,9 @@ public:
   {
     // Later ones hardly ever gain. On small meshes they take about as long as all the rest; on larger ones, where the time of each
     // grows with the square of the size, fewer are worth it.
-    const int rows = m_potentials.number_of_rows(), falls = (std::max)(6, (std::min)(rows / 16, 16000 / (rows + 1)));
+    const int fewest = 6, rows_per_fall = 16, most_rows_times_falls = 16000;
+    const int rows = m_potentials.number_of_rows();
+    const int falls = (std::max)(fewest, (std::min)(rows / rows_per_fall, most_rows_times_falls / (rows + 1)));
 
     if(!m_potentials.compute())
       return false;
