@@ -56,6 +56,26 @@ void analysis_and_smoothing()
   }
 }
 
+// Vertex by vertex, and all vertices at once.
+void smoothing()
+{
+  std::printf("\n%10s | %10s | %10s %10s %10s | %10s %10s %10s\n", "quads", "degrees", "sweeps", "degrees", "s", "steps", "degrees", "s");
+  for(int n : { 13, 26, 52, 82 })
+  {
+    const SM::Mesh input = SM::make_mesh(SM::sphere(n));
+    std::printf("%10zu | %10.2f", std::size_t(input.number_of_faces()), QM::quad_mesh_quality(input).mean_angle_deviation);
+    for(bool globally : { false, true })
+    {
+      SM::Mesh qm = input;
+      CGAL::Real_timer timer;
+      timer.start();
+      const auto r = QM::smooth_quad_mesh(qm, CGAL::parameters::smooth_globally(globally));
+      std::printf(" | %10u %10.2f %10.3f", r.iterations, r.quality_after.mean_angle_deviation, timer.time());
+    }
+    std::printf("\n");
+  }
+}
+
 // A sphere of 144 patches, each cut into k x k quads, after random operators.
 SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
 {
@@ -171,6 +191,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   analysis_and_smoothing();
+  smoothing();
   optimization();
   return random_operators(operators, argc > 2 ? std::atoi(argv[2]) : 1) ? 0 : 1;
 }

@@ -356,52 +356,9 @@ SM::Quad_soup displaced(SM::Quad_soup soup, double amount, unsigned int seed)
   return soup;
 }
 
-void test_smoothing()
+// The twelve edges of a cube keep their vertices, which slide; fixed vertices do not move.
+void test_features_under_smoothing(bool globally)
 {
-  std::cout << "smoothing" << std::endl;
-  // every amount of noise on a sphere comes out as a good mesh on the sphere
-  const Mesh sphere = SM::triangulated(SM::sphere(24));
-  for(double amount : { 0.2, 0.5, 0.8 })
-  {
-    Mesh qm = SM::make_mesh(displaced(SM::sphere(12), amount, 3));
-    const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, sphere);
-    assert(r.status == QM::Quad_mesh_smoothing_result::smoothed && r.folded_quads_after == 0);
-    assert(r.quality_after.minimal_scaled_jacobian > 0.5);
-    assert(r.quality_after.mean_angle_deviation < 8 && r.quality_after.mean_angle_deviation < r.quality_before.mean_angle_deviation);
-    for(auto v : qm.vertices())
-      assert(std::abs(std::sqrt((qm.point(v) - CGAL::ORIGIN).squared_length()) - 1) < 0.01);
-    const QM::Quad_mesh_deviation d = QM::quad_mesh_deviation(qm, sphere);
-    assert(d.quads_to_reference_max < 0.02 && d.opposed_quads == 0);
-  }
-
-  // whatever goes in without an inverted quad comes out without one
-  for(unsigned int seed = 0; seed < 12; ++seed)
-  {
-    Mesh qm = SM::make_mesh(displaced(seed % 2 == 0 ? SM::sphere(8) : SM::rolled(16, 10, 1, true), 0.05 * (1 + seed % 6), seed));
-    const bool valid = QM::quad_mesh_quality(qm).number_of_inverted_quads == 0;
-    const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm);
-    if(valid)
-      assert(r.quality_after.number_of_inverted_quads == 0);
-    assert(near(QM::quad_mesh_quality(qm).minimal_scaled_jacobian, r.quality_after.minimal_scaled_jacobian));
-  }
-
-  // the boundary of a rectangle is kept, its corners stay, and the squares come back
-  const SM::Quad_soup square = SM::grid(9, 6);
-  const Mesh plane = SM::triangulated(square);
-  Mesh qm = SM::make_mesh(displaced(square, 0.6, 5));
-  const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, plane, CGAL::parameters::number_of_iterations(200u));
-  assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5);
-  for(auto v : qm.vertices())
-  {
-    const Point_3 &p = qm.point(v), &q = square.points[v];
-    assert(near(p.z(), 0, 1e-12));
-    if(q.x() == 0 || q.x() == 9)
-      assert(p.x() == q.x());
-    if(q.y() == 0 || q.y() == 6)
-      assert(p.y() == q.y());
-  }
-
-  // features: the twelve edges of a cube keep their vertices, which slide; fixed vertices do not move
   const SM::Quad_soup cube_soup = SM::cube(6);
   Mesh reference = SM::triangulated(SM::cube(3)), cube = SM::make_mesh(cube_soup);
   auto on_cube_edge = [](const Mesh& m, Mesh::Edge_index e)
@@ -436,7 +393,8 @@ void test_smoothing()
   is_fixed[anchored] = true;
   const Point_3 anchor = cube.point(anchored);
   const QM::Quad_mesh_smoothing_result s =
-    QM::smooth_quad_mesh(cube, reference, CGAL::parameters::edge_is_constrained_map(feature).vertex_is_constrained_map(is_fixed),
+    QM::smooth_quad_mesh(cube, reference, CGAL::parameters::smooth_globally(globally).edge_is_constrained_map(feature)
+                                             .vertex_is_constrained_map(is_fixed),
                          CGAL::parameters::edge_is_constrained_map(reference_feature));
   assert(s.folded_quads_after == 0 && cube.point(anchored) == anchor);
   assert(s.quality_after.mean_angle_deviation < 0.5 * s.quality_before.mean_angle_deviation);
@@ -446,6 +404,56 @@ void test_smoothing()
         assert(near(cube.point(v)[k], cube_soup.points[v][k], 1e-9));
   assert(near(QM::quad_mesh_deviation(cube, reference, CGAL::parameters::default_values(),
                                       CGAL::parameters::edge_is_constrained_map(reference_feature)).features_kept, 1));
+}
+
+void test_smoothing()
+{
+  std::cout << "smoothing" << std::endl;
+  // every amount of noise on a sphere comes out as a good mesh on the sphere
+  const Mesh sphere = SM::triangulated(SM::sphere(24));
+  for(double amount : { 0.2, 0.5, 0.8 })
+  {
+    Mesh qm = SM::make_mesh(displaced(SM::sphere(12), amount, 3));
+    const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, sphere);
+    assert(r.status == QM::Quad_mesh_smoothing_result::smoothed && r.folded_quads_after == 0);
+    assert(r.quality_after.minimal_scaled_jacobian > 0.5);
+    assert(r.quality_after.mean_angle_deviation < 8 && r.quality_after.mean_angle_deviation < r.quality_before.mean_angle_deviation);
+    for(auto v : qm.vertices())
+      assert(std::abs(std::sqrt((qm.point(v) - CGAL::ORIGIN).squared_length()) - 1) < 0.01);
+    const QM::Quad_mesh_deviation d = QM::quad_mesh_deviation(qm, sphere);
+    assert(d.quads_to_reference_max < 0.02 && d.opposed_quads == 0);
+  }
+
+  // whatever goes in without an inverted quad comes out without one
+  for(unsigned int seed = 0; seed < 12; ++seed)
+  {
+    Mesh qm = SM::make_mesh(displaced(seed % 2 == 0 ? SM::sphere(8) : SM::rolled(16, 10, 1, true), 0.05 * (1 + seed % 6), seed));
+    const bool valid = QM::quad_mesh_quality(qm).number_of_inverted_quads == 0;
+    const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, CGAL::parameters::smooth_globally(seed % 4 < 2));
+    if(valid)
+      assert(r.quality_after.number_of_inverted_quads == 0);
+    assert(near(QM::quad_mesh_quality(qm).minimal_scaled_jacobian, r.quality_after.minimal_scaled_jacobian));
+  }
+
+  // the boundary of a rectangle is kept, its corners stay, and the squares come back
+  const SM::Quad_soup square = SM::grid(9, 6);
+  const Mesh plane = SM::triangulated(square);
+  Mesh qm = SM::make_mesh(displaced(square, 0.6, 5));
+  const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, plane, CGAL::parameters::number_of_iterations(200u));
+  assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5);
+  for(auto v : qm.vertices())
+  {
+    const Point_3 &p = qm.point(v), &q = square.points[v];
+    assert(near(p.z(), 0, 1e-12));
+    if(q.x() == 0 || q.x() == 9)
+      assert(p.x() == q.x());
+    if(q.y() == 0 || q.y() == 6)
+      assert(p.y() == q.y());
+  }
+
+  // whatever is smoothed, features are kept
+  test_features_under_smoothing(false);
+  test_features_under_smoothing(true);
 
   // the same on another graph; same input, same output
   typedef CGAL::Polyhedron_3<SM::Kernel> Polyhedron;
@@ -455,7 +463,7 @@ void test_smoothing()
   assert(std::equal(p1.points_begin(), p1.points_end(), p2.points_begin()));
 
   // answers to bad input, and stopping
-  Mesh triangles = SM::triangulated(SM::cube(1)), empty;
+  Mesh triangles = SM::triangulated(SM::cube(1)), cube = SM::make_mesh(SM::cube(6)), empty;
   assert(QM::smooth_quad_mesh(triangles).status == QM::Quad_mesh_smoothing_result::not_a_quad_mesh);
   assert(QM::smooth_quad_mesh(cube, empty).status == QM::Quad_mesh_smoothing_result::empty_reference);
   assert(QM::smooth_quad_mesh(empty).status == QM::Quad_mesh_smoothing_result::smoothed);
@@ -467,6 +475,55 @@ void test_smoothing()
     assert(copy.point(v) == shaken.point(v));
 }
 
+// Where vertices have to go far, along the surface and its border.
+void test_global_smoothing()
+{
+  std::cout << "global smoothing" << std::endl;
+  const auto globally = CGAL::parameters::smooth_globally(true);
+  // a square whose middle has been pushed to a side: no other mesh of it has better quads than the grid
+  const SM::Quad_soup square = SM::grid(40, 40);
+  SM::Quad_soup pushed = square;
+  for(Point_3& p : pushed.points)
+    p = Point_3(p.x() + 5 * std::sin(SM::pi * p.x() / 40) * std::sin(SM::pi * p.y() / 40),
+                p.y() - 5 * std::sin(SM::pi * p.x() / 40) * std::sin(2 * SM::pi * p.y() / 40), 0);
+  const Mesh plane = SM::triangulated(square);
+  Mesh one_by_one = SM::make_mesh(pushed), all_at_once = one_by_one;
+  assert(QM::smooth_quad_mesh(one_by_one, plane).quality_after.mean_angle_deviation > 4);
+  assert(QM::smooth_quad_mesh(all_at_once, plane, globally).quality_after.mean_angle_deviation < 0.1);
+  for(auto v : all_at_once.vertices())
+  {
+    const Point_3 &p = all_at_once.point(v), &q = square.points[v];
+    assert(near(p.x(), q.x(), 0.1) && near(p.y(), q.y(), 0.1) && near(p.z(), 0, 1e-12));
+    if(q.x() == 0 || q.x() == 40)
+      assert(p.x() == q.x());
+    if(q.y() == 0 || q.y() == 40)
+      assert(p.y() == q.y());
+  }
+
+  // a cylinder whose ends are twisted by half a turn against each other: they have to go back along the border
+  SM::Quad_soup cylinder = SM::rolled(32, 40, 0, false);
+  for(Point_3& p : cylinder.points)
+  {
+    const double angle = SM::pi * p.z() / (40 * 2 * SM::pi / 32);
+    p = Point_3(std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y(), p.z());
+  }
+  const Mesh round = SM::triangulated(SM::rolled(64, 80, 0, false));
+  one_by_one = SM::make_mesh(cylinder);
+  all_at_once = one_by_one;
+  assert(QM::smooth_quad_mesh(one_by_one, round).quality_after.mean_angle_deviation > 15);
+  const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(all_at_once, round, globally);
+  assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5 && r.quality_after.minimal_scaled_jacobian > 0.95);
+  for(auto v : all_at_once.vertices())
+    if(all_at_once.is_border(v))
+      assert(near(all_at_once.point(v).z(), cylinder.points[v].z()));
+  assert(near(QM::quad_mesh_deviation(all_at_once, round).boundary_kept, 1));
+
+  // same input, same output
+  Mesh again = SM::make_mesh(cylinder);
+  QM::smooth_quad_mesh(again, round, globally);
+  assert(std::equal(again.points().begin(), again.points().end(), all_at_once.points().begin()));
+}
+
 } // namespace
 
 int main()
@@ -475,6 +532,7 @@ int main()
   test_defects();
   test_structure();
   test_smoothing();
+  test_global_smoothing();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -70,6 +70,8 @@
 //   collapse_dual_curves            bool          whether dual curves are collapsed in the end where they can be; false
 //   target_number_of_patches        std::size_t   the optimization ends when there are no more patches; 0: no target
 //   smoothing_iterations            unsigned int  sweeps of the smoothing in the end, 0 smooths nothing; 20
+//   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they have
+//                                                 to go far; false
 //   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step
 
 #include <CGAL/Named_function_parameters.h>
@@ -108,6 +110,7 @@
   CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves, collapse_dual_curves)      \
   CGAL_add_named_parameter(target_number_of_patches_t, target_number_of_patches, target_number_of_patches) \
   CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations, smoothing_iterations)      \
+  CGAL_add_named_parameter(smooth_globally_t, smooth_globally, smooth_globally)                     \
   CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost, operator_step_cost)            \
   CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
 

@@ -83,11 +83,15 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
         || (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
   };
   Default_visitor silent;
-  auto smooth = [&](Structure_state& s, unsigned int sweeps)
+  // the vertices of a new layout may have to go far
+  const bool is_new_layout = method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0;
+  auto smooth_with = [&](Structure_state& s, unsigned int sweeps, bool globally)
   {
-    return options.smoothing_iterations == 0 ? Quad_mesh_smoothing_result()
-                                             : smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, sweeps, silent);
+    return options.smoothing_iterations == 0
+      ? Quad_mesh_smoothing_result()
+      : smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, sweeps, globally, silent);
   };
+  auto smooth = [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, false); };
   Accepted_shape accepted;
   if(options.smoothing_iterations > 0)
   {
@@ -96,8 +100,9 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
   }
 
   visitor.on_stage_begin("structure");
-  if(method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0)
-    optimize_layout(optimizer, options, accepted, smooth, visitor);
+  if(is_new_layout)
+    optimize_layout(optimizer, options, accepted,
+                    [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, true); }, visitor);
   else
   {
     Shape_watch<decltype(smooth)> watch(optimizer, accepted, smooth, options.smoothing_iterations);
@@ -115,7 +120,8 @@ optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_refere
   Indexed_quad_mesh& m = optimizer.state.mesh;
   const std::vector<Indexed_quad_mesh::Point_3> points = m.points;
   if(visitor.go_further() && options.smoothing_iterations > 0)
-    result.smoothing = smooth_indexed_quad_mesh(m, reference, optimizer.state.is_fixed, options.smoothing_iterations, visitor);
+    result.smoothing = smooth_indexed_quad_mesh(m, reference, optimizer.state.is_fixed, options.smoothing_iterations,
+                                                is_new_layout, visitor);
   if(options.smoothing_iterations == 0 || !accepted.accepts(result.smoothing))
   {
     m.points = points;
@@ -201,7 +207,8 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * number that can be removed with a gain first, in several of its columns and in both directions, one operator for each unit of
  * its pitch (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral meshes*, Computer Graphics Forum 30(2),
  * 2011). The operators do not destroy closed dual curves and do not wind up helices of more than two turns. A step is kept if
- * the base complex has become smaller, or has the same size and fewer helices. Each operator removes quads; at least 40
+ * there are fewer helices then, and not more in either way of counting (with and without those that cross themselves), or as many and
+ * a smaller base complex. Each operator removes quads; at least 40
  * percent of them remain. A mesh without irregular vertices is always treated in this way.
  *
  * In both, constrained edges, the boundary and the irregular vertices are kept, and the positions are smoothed on the
@@ -276,7 +283,8 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *     \cgalParamDefault{`10000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{smoothing_iterations}
- *     \cgalParamDescription{number of sweeps of the smoothing at the end; with 0, nothing is smoothed at all}
+ *     \cgalParamDescription{number of sweeps of the smoothing at the end, or of its steps that move all vertices of a new layout
+ *                           at once; with 0, nothing is smoothed at all}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`20`}
  *   \cgalParamNEnd

@@ -10,7 +10,7 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_smoother.h>
+#include <CGAL/Quad_meshing/Structure/internal/Global_quad_smoother.h>
 #include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
 #include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -49,17 +50,21 @@ struct Quad_mesh_smoothing_result
   std::size_t folded_quads_after = 0;       ///< number of folded quads in the output
   Quad_mesh_quality quality_before;         ///< measures of the input
   Quad_mesh_quality quality_after;          ///< measures of the output
-  unsigned int iterations = 0;              ///< number of sweeps over the vertices
+  unsigned int iterations = 0;              ///< number of sweeps over the vertices, and of steps of all together
 };
 
 namespace internal {
 
-// The smoothing on flat arrays.
+// The smoothing on flat arrays. If `globally`, vertices may have to go far: after a few sweeps all of them are moved at once.
 template <typename Visitor>
 Quad_mesh_smoothing_result
 smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, const std::vector<char>& is_fixed_vertex,
-                         unsigned int number_of_iterations, Visitor& visitor)
+                         unsigned int number_of_iterations, bool globally, Visitor& visitor)
 {
+  // Sweeps before all vertices are moved at once, where quads have just been unfolded.
+  constexpr unsigned int sweeps_after_unfolding = 2;
+  // How many of these steps there are at most: so many that this is the number of quads in all of them together.
+  constexpr unsigned int most_quads_moved = 200000, least_number_of_steps = 4;
   typedef Quad_mesh_smoothing_result Result;
   Result result;
   result.quality_before = result.quality_after = quality_of_quad_mesh(m);
@@ -71,21 +76,29 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, c
 
   const std::vector<Indexed_quad_mesh::Point_3> input_points = m.points;
   visitor.on_stage_begin("smoothing");
-  Quad_smoother smoother(m, reference.surface, reference.features, reference.borders, is_fixed_vertex);
+  Global_quad_smoother smoother(m, reference.surface, reference.features, reference.borders, is_fixed_vertex);
   smoother.project();
   std::vector<int> folded = smoother.folded_quads();
   result.folded_quads_before = folded.size();
   if(!folded.empty())
     smoother.unfold(folded);
 
+  const unsigned int sweeps = !globally ? number_of_iterations : folded.empty() ? 0 : sweeps_after_unfolding;
+  const unsigned int steps = (std::max)(least_number_of_steps, most_quads_moved / static_cast<unsigned int>(m.number_of_faces()));
+  number_of_iterations = (std::min)(number_of_iterations, sweeps + steps);
   smoother.start_sweeps();
   bool moving = true;
   for(; moving && result.iterations < number_of_iterations && visitor.go_further(); ++result.iterations)
   {
-    moving = smoother.sweep();
+    if(result.iterations < sweeps)
+      moving = smoother.sweep() || globally;
+    else
+      moving = smoother.step();
     moving = smoother.project_leftovers() || moving;
     visitor.progress(double(result.iterations + 1) / number_of_iterations);
   }
+  if(globally && result.iterations > 0)
+    smoother.mend();
   result.folded_quads_after = smoother.folded_quads().size();
   visitor.on_stage_end("smoothing");
 
@@ -114,12 +127,14 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
 
   const unsigned int number_of_iterations =
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 20);
+  const bool globally =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::smooth_globally), false);
   return work_on_quad_mesh_copy<Quad_mesh_smoothing_result>(qm, np, make_reference,
     [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, auto& visitor, auto vpm, auto)
     {
       const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
       const Quad_mesh_smoothing_result result =
-        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, number_of_iterations, visitor);
+        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, number_of_iterations, globally, visitor);
       for(std::size_t i = 0; i < copy.vertices.size(); ++i)
       {
         const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
@@ -152,6 +167,11 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
  * are first unfolded with the energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov: *Foldover-free maps in 50 lines of code*, ACM TOG 40(4), 2021. That needs no valid start and
  * mostly succeeds, but is not guaranteed to.
  *
+ * Vertex by vertex, a mesh gets well shaped where it has to move by a few quads. With `smooth_globally`, all vertices are moved at
+ * once by steps of Newton's method, as long as they help: they can go all over the surface. Corners are to be right angles first
+ * then, and quads may become rectangles. Quads with scaled Jacobians below 0.5 do not become worse, better ones not worse than that,
+ * and the worst ones are improved in the end.
+ *
  * \tparam QuadMesh a model of `FaceListGraph`
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam NamedParametersQM a sequence of named parameters
@@ -181,9 +201,14 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
  *     \cgalParamDefault{a constant map: no vertex is constrained}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the largest number of sweeps; the smoothing ends sooner when all vertices rest}
+ *     \cgalParamDescription{the largest number of sweeps and steps; the smoothing ends sooner when all vertices rest}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`20`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{smooth_globally}
+ *     \cgalParamDescription{whether all vertices are moved at once: if they have to go far}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor with the interface of `Default_visitor`, passed as `std::ref(visitor)`}

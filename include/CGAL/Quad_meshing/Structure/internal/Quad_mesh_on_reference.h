@@ -101,7 +101,7 @@ public:
   {
     std::vector<int> folded;
     for(int f = 0; f < m.number_of_faces(); ++f)
-      if(m_jacobian[f] <= 0 || reference_normal(f) * m_normal[f] < opposed)
+      if(m_jacobian[f] <= 0 || is_opposed(f))
         folded.push_back(f);
     return folded;
   }
@@ -243,6 +243,9 @@ protected:
     }
     return true;
   }
+
+  // Whether the normal of a quad is opposed to that of the surface below.
+  bool is_opposed(int f) { return reference_normal(f) * m_normal[f] < opposed; }
 
   // The surface normal below the middle of a quad, found from one of its vertices on the surface.
   Vector_3 reference_normal(int f)

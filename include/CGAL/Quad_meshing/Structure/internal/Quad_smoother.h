@@ -110,6 +110,73 @@ public:
     return any;
   }
 
+protected:
+  // An orthonormal frame of the directions in which v may go; the second one is zero on a curve.
+  std::array<Vector_3, 2> directions(int v) const
+  {
+    if(m_kind[v] != on_surface)
+      return {{ (m_kind[v] == on_feature ? features : borders).direction(m_place[v]), Vector_3(0, 0, 0) }};
+    Vector_3 normal(0, 0, 0);
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+      normal = normal + m_normal[m_corner[i] / 4];
+    normal = unit_or_zero(normal);
+    if(normal == NULL_VECTOR)
+      normal = surface.normal(m_place[v]);
+    Vector_3 u = CGAL::abs(normal.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
+    u = unit_or_zero(u - (u * normal) * normal);
+    return {{ u, cross_product(normal, u) }};
+  }
+
+  // Moves v to a better place, if the step downhill leads to one, and gives the length of the step.
+  double improve(int v, bool guarded)
+  {
+    if(m_kind[v] == fixed)
+      return 0;
+    const Point_3 p = m.points[v];
+
+    const std::array<Vector_3, 2> frame = directions(v);
+    const Vector_3 &u = frame[0], &w = frame[1];
+
+    // the smallest corner area decides whether, and how much, the energy must be regularized
+    double smallest = std::numeric_limits<double>::infinity(), aim_sum = 0;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+    {
+      aim_sum += m_area[m_corner[i] / 4];
+      for(const Corner_energy& t : corners_at(m_corner[i], p))
+        smallest = (std::min)(smallest, t.area);
+    }
+    const double mean_aim = aim_sum / (m_first[v + 1] - m_first[v]);
+    const double epsilon = smallest > 0 ? 0 : std::sqrt(least_epsilon * least_epsilon * mean_aim * mean_aim
+                                                        + epsilon_slope * smallest * smallest);
+
+    Corner_energy_model model(u, w);
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+      for(const Corner_energy& t : corners_at(m_corner[i], p))
+        model.add(t, m_area[m_corner[i] / 4], epsilon);
+    Vector_3 step = m_kind[v] == on_surface ? model.step_in_plane() : model.step_along_u();
+    const double length = std::sqrt(step.squared_length()), longest = longest_step * std::sqrt(mean_aim);
+    if(!(length > 0))
+      return 0;
+    if(length > longest)
+      step = (longest / length) * step;
+
+    double factor = 1;
+    for(int trial = 0; trial < 4; ++trial, factor /= 3)
+      if(try_move(v, p + factor * step, model.value(), epsilon, guarded))
+        return std::sqrt(squared_distance(p, m.points[v]));
+
+    // a vertex between the two sides of a fold, or of a crease: the middle of its neighbours
+    if(!guarded)
+    {
+      Vector_3 sum(0, 0, 0);
+      for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+        sum = sum + (m.points[m.target(m_corner[i])] - p) + (m.points[m.source(m.prev(m_corner[i]))] - p);
+      if(try_move(v, p + sum / (2 * (m_first[v + 1] - m_first[v])), model.value(), epsilon, guarded))
+        return std::sqrt(squared_distance(p, m.points[v]));
+    }
+    return 0;
+  }
+
 private:
   // The faces around the given ones, and the vertices of these faces.
   void grow(const std::vector<int>& seeds, std::vector<int>& region_faces, std::vector<int>& region_vertices) const
@@ -157,69 +224,6 @@ private:
         sum += t.value(m_area[m_corner[i] / 4], epsilon);
       }
     return sum;
-  }
-
-  // Moves v to a better place, if the step downhill leads to one, and gives the length of the step.
-  double improve(int v, bool guarded)
-  {
-    if(m_kind[v] == fixed)
-      return 0;
-    const Point_3 p = m.points[v];
-
-    // an orthonormal frame of the directions in which v may go
-    Vector_3 normal(0, 0, 0), u, w(0, 0, 0);
-    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-      normal = normal + m_normal[m_corner[i] / 4];
-    if(m_kind[v] == on_surface)
-    {
-      normal = unit_or_zero(normal);
-      if(normal == NULL_VECTOR)
-        normal = surface.normal(m_place[v]);
-      u = CGAL::abs(normal.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
-      u = unit_or_zero(u - (u * normal) * normal);
-      w = cross_product(normal, u);
-    }
-    else
-      u = (m_kind[v] == on_feature ? features : borders).direction(m_place[v]);
-
-    // the smallest corner area decides whether, and how much, the energy must be regularized
-    double smallest = std::numeric_limits<double>::infinity(), aim_sum = 0;
-    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-    {
-      aim_sum += m_area[m_corner[i] / 4];
-      for(const Corner_energy& t : corners_at(m_corner[i], p))
-        smallest = (std::min)(smallest, t.area);
-    }
-    const double mean_aim = aim_sum / (m_first[v + 1] - m_first[v]);
-    const double epsilon = smallest > 0 ? 0 : std::sqrt(least_epsilon * least_epsilon * mean_aim * mean_aim
-                                                        + epsilon_slope * smallest * smallest);
-
-    Corner_energy_model model(u, w);
-    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-      for(const Corner_energy& t : corners_at(m_corner[i], p))
-        model.add(t, m_area[m_corner[i] / 4], epsilon);
-    Vector_3 step = m_kind[v] == on_surface ? model.step_in_plane() : model.step_along_u();
-    const double length = std::sqrt(step.squared_length()), longest = longest_step * std::sqrt(mean_aim);
-    if(!(length > 0))
-      return 0;
-    if(length > longest)
-      step = (longest / length) * step;
-
-    double factor = 1;
-    for(int trial = 0; trial < 4; ++trial, factor /= 3)
-      if(try_move(v, p + factor * step, model.value(), epsilon, guarded))
-        return std::sqrt(squared_distance(p, m.points[v]));
-
-    // a vertex between the two sides of a fold, or of a crease: the middle of its neighbours
-    if(!guarded)
-    {
-      Vector_3 sum(0, 0, 0);
-      for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-        sum = sum + (m.points[m.target(m_corner[i])] - p) + (m.points[m.source(m.prev(m_corner[i]))] - p);
-      if(try_move(v, p + sum / (2 * (m_first[v + 1] - m_first[v])), model.value(), epsilon, guarded))
-        return std::sqrt(squared_distance(p, m.points[v]));
-    }
-    return 0;
   }
 
   // Moves v to the place on its reference that is closest to a point, if its energy falls below

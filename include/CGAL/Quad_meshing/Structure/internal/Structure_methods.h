@@ -86,7 +86,7 @@ void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetRe
 {
   // How often operators are taken back before no more are tried.
   constexpr int most_undone = 20;
-  const double helices = (std::max)(1., double(optimizer.score().helices));
+  const double helices = (std::max)(1., double(optimizer.score().helices_with_crossings));
   auto go_further = [&] { return visitor.go_further(); };
   int undone = 0;
   auto undo = [&]
@@ -102,13 +102,13 @@ void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetRe
     {
       if(!watch.accepts_next())
         undo();
-      visitor.progress((std::max)(0., (std::min)(1., 1 - optimizer.score().helices / helices)));
+      visitor.progress((std::max)(0., (std::min)(1., 1 - optimizer.score().helices_with_crossings / helices)));
     }
     if(!watch.accepts())
       undo();
   }
   // helices that could not be removed at first get a second chance after others have gone
-  while(optimizer.score() < before && !target_reached() && undone < most_undone && optimizer.forget_failures()
+  while(optimizer.score().is_better_than(before) && !target_reached() && undone < most_undone && optimizer.forget_failures()
         && visitor.go_further());
 }
 

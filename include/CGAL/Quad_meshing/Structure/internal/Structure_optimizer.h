@@ -38,11 +38,18 @@ public:
   // beyond is coarseness, not structure.
   static constexpr double least_share_of_quads = 0.4;
 
-  // Size of the base complex first, number of helices second.
+  // What the removal of helices makes smaller: their number, in both ways of counting, and then the base complex. Neither number may
+  // grow: on a curve that crosses itself less than before, more of its turns count as helices.
   struct Score
   {
-    int patches = 0, helices = 0;
-    bool operator<(const Score& s) const { return std::make_pair(patches, helices) < std::make_pair(s.patches, s.helices); }
+    int patches = 0, helices = 0, helices_with_crossings = 0;
+
+    bool is_better_than(const Score& s) const
+    {
+      return helices <= s.helices && helices_with_crossings <= s.helices_with_crossings
+          && std::make_pair(helices + helices_with_crossings, patches)
+             < std::make_pair(s.helices + s.helices_with_crossings, s.patches);
+    }
   };
 
   Structure_state state;
@@ -62,7 +69,9 @@ public:
     Score s;
     s.patches = number_of_base_complex_patches(m);
     const Dual_lines lines(m);
-    s.helices = static_cast<int>(minimal_helices(m, lines, side_relations(m, lines)).size());
+    const std::vector<Side_relation> relation = side_relations(m, lines);
+    s.helices = static_cast<int>(minimal_helices(m, lines, relation).size());
+    s.helices_with_crossings = static_cast<int>(minimal_helices(m, lines, relation, true).size());
     return s;
   }
 
@@ -80,7 +89,7 @@ public:
   {
     const Dual_lines lines(state.mesh);
     const std::vector<Side_relation> relation = side_relations(state.mesh, lines);
-    std::vector<Helix_record> helices = minimal_helices(state.mesh, lines, relation);
+    std::vector<Helix_record> helices = minimal_helices(state.mesh, lines, relation, true);
     std::stable_sort(helices.begin(), helices.end(), [](const Helix_record& a, const Helix_record& b)
     {
       return double(a.length) * b.turn_length > double(b.length) * a.turn_length;
@@ -104,7 +113,7 @@ public:
              || result.mesh.number_of_faces() < least_share_of_quads * m_quads_of_input)
             continue;
           const Score score = score_of(result.mesh);
-          if(score < m_score)
+          if(score.is_better_than(m_score))
           {
             has_failed_if_undone = state.has_failed;
             has_failed_if_undone[first_face] = 1;
