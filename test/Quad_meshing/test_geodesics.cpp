@@ -24,6 +24,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -32,6 +33,8 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <thread>
+#include <tuple>
 #include <vector>
 
 using namespace geodesics_meshes;
@@ -519,6 +522,47 @@ void test_windows_of_all_edges()
   }
 }
 
+// Any number of threads may ask one field: the windows that queries make are the same whoever makes them.
+void test_concurrent_queries()
+{
+  std::cout << "concurrent queries" << std::endl;
+  const Mesh tm = make_mesh(perturbed(torus(40, 20), 0.01, 3));
+  Field one(tm), shared(tm);
+  for(Field* field : { &one, &shared })
+  {
+    field->add_source(Location(Mesh::Face_index(7), {{ 0.2, 0.5, 0.3 }}));
+    field->add_source(Vertex(300), 0.1);
+    field->propagate();
+  }
+  const int n = int(tm.number_of_faces());
+  const auto ask = [&](const Field& field, int i)
+  {
+    const Location l(Mesh::Face_index(static_cast<Mesh::size_type>(i)), {{ 0.2, 0.35, 0.45 }});
+    std::vector<Location> path;
+    field.shortest_path(l, std::back_inserter(path));
+    return std::make_tuple(field.distance(l), field.nearest_source(l), field.gradient(l), length(tm, path));
+  };
+  std::vector<decltype(ask(one, 0))> expected;
+  for(int i = 0; i < n; ++i)
+    expected.push_back(ask(one, i));
+  std::atomic<int> differences(0);
+  std::vector<std::thread> threads;
+  for(int t = 0; t < 4; ++t)
+    threads.emplace_back([&, t]
+    {
+      // some begin with the same groups, some elsewhere
+      for(int k = 0; k < n; ++k)
+      {
+        const int i = (t % 2 == 0 ? k : n - 1 - k + t) % n;
+        if(ask(shared, i) != expected[std::size_t(i)])
+          ++differences;
+      }
+    });
+  for(std::thread& thread : threads)
+    thread.join();
+  assert(differences == 0 && shared.number_of_windows() == one.number_of_windows());
+}
+
 // Sources beside each other: offsets, labels, and a curve as the limit of its points.
 void test_mixed_sources()
 {
@@ -987,6 +1031,7 @@ int main()
   test_real_meshes();
   test_sampled_polyline();
   test_windows_of_all_edges();
+  test_concurrent_queries();
   test_mixed_sources();
   test_reach();
   test_approximation();

@@ -75,7 +75,7 @@ public:
 
 private:
   // The rounding error of a few operations, relative to the largest number in them.
-  static double rounding() { return std::ldexp(1., -47); }
+  static constexpr double rounding() { return 0x1p-47; }
 
   static double bound_everywhere(const W& w, const Certified_distance& f)
   {

@@ -109,12 +109,12 @@ public:
 private:
   static Certified_number unknown() { return Certified_number(0, 0, std::numeric_limits<double>::infinity()); }
 
-  static double lost() { return std::ldexp(1., -100); }
-  static double underflow() { return std::ldexp(1., -1000); }       // more than what products of tiny numbers lose
-  static double inflated(double radius) { return radius * (1 + std::ldexp(1., -48)); }
+  static constexpr double lost() { return 0x1p-100; }
+  static constexpr double underflow() { return 0x1p-1000; }       // more than what products of tiny numbers lose
+  static double inflated(double radius) { return radius * (1 + 0x1p-48); }
   static double rounded(double x, int direction)
   {
-    return x + direction * (std::ldexp(std::fabs(x), -51) + std::numeric_limits<double>::denorm_min());
+    return x + direction * (0x1p-51 * std::fabs(x) + std::numeric_limits<double>::denorm_min());
   }
 
   static void two_sum(double a, double b, double& s, double& e)

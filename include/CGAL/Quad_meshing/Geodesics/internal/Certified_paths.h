@@ -76,7 +76,7 @@ public:
 
 private:
   static double infinity() { return std::numeric_limits<double>::infinity(); }
-  static double rounding() { return std::ldexp(1., -48); }
+  static constexpr double rounding() { return 0x1p-48; }
 
   // A vertex, or if that is -1 the place at a part of a halfedge.
   struct Place

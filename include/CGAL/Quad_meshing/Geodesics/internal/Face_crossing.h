@@ -12,9 +12,11 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_predicates.h>
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -36,6 +38,7 @@ public:
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
   typedef Window_tolerances<FT> Tol;
+  typedef Window_predicates<FT> Predicates;
 
   explicit Face_crossing(Front& front) : m_front(front) {}
 
@@ -49,6 +52,8 @@ public:
     const typename Mesh::Apex& apex = mesh.apex[h];
     const FT l = mesh.length_of(h);
     m_place = FT(Tol::place()) * l;
+    m_doubtful = FT(2) * FT(Tol::wide_gap()) * l;
+    m_far = Predicates::far(l);
     m_length = l;
     m_corners.clear();
     m_number_of_exits = 0;
@@ -165,43 +170,82 @@ private:
     {
       if(Front::asks_at_open_edges && m_corners[node].entry != -1)
         m_exits[m_corners[node].entry].parts.push_back(part);
-      const Vector place = m_corners[node].place;
-      const FT t = ray_to(place, w, part);
-      if((t >= part.b0 || (part.b0 == w.b0 && w.closes_gap(w.b0 - t, w.b0, m_length))) &&
-         (t <= part.b1 || (part.b1 == w.b1 && w.closes_gap(t - w.b1, w.b1, m_length))))
-        reach_corner(m_corners[node], w);
-      const bool to_left = t > part.b0 + m_place;
-      if(t < part.b1 - m_place)
+      const Vector c = m_corners[node].place;
+      // The ray to the corner crosses h at origin + across / depth. Where that is far enough from the ends of the part, rounding does not matter.
+      const FT origin = w.linear ? FT(0) : w.x;
+      const FT across = w.linear ? FT(c.x * w.y - c.y * w.x) : FT((c.x - w.x) * w.y), depth = w.linear ? w.y : FT(c.y + w.y);
+      if(! (c.y < FT(0)) && absolute(w.linear ? c.x : w.x) < m_far)
       {
-        if(to_left)
+        const FT doubtful = m_doubtful * depth, from_b0 = across - (part.b0 - origin) * depth, to_b1 = (part.b1 - origin) * depth - across;
+        if(from_b0 > doubtful)
         {
-          Part left = part;
-          left.b1 = t;
-          left.begins_at_corner = true;
-          divide(behind_left_side(node), w, left);
-          part.b0 = t;
-          part.ends_at_corner = true;
+          if(to_b1 > doubtful)
+          {
+            reach_corner(m_corners[node], w);
+            pass_on_both_sides(node, w, part, FT(origin + across / depth));
+            continue;
+          }
+          if(to_b1 < -doubtful)
+          {
+            part.begins_at_corner = false;
+            node = behind_left_side(node);
+            continue;
+          }
         }
-        else
-          part.ends_at_corner = ! (t < part.b0 - m_place);
-        node = behind_right_side(node);
+        else if(from_b0 < -doubtful)
+        {
+          part.ends_at_corner = false;
+          node = behind_right_side(node);
+          continue;
+        }
       }
-      else
-      {
-        part.begins_at_corner = ! (t > part.b1 + m_place);
-        node = behind_left_side(node);
-      }
+      pass_nearby(node, w, part);
     }
     m_exits[~node].parts.push_back(part);
   }
 
-  // Where the ray to a corner crosses h. If the corner lies behind h, it is beyond an end, and all rays of the part are on one side of it.
-  FT ray_to(const Vector& c, const W& w, const Part& part) const
+  // Sends the part on the left of the ray to the corner, which crosses h at t, on. What is on the right remains.
+  BOOST_FORCEINLINE void pass_on_both_sides(int& node, const W& w, Part& part, const FT& t)
   {
-    if(! (c.y < FT(0)))
-      return w.linear ? FT(c.x - c.y * w.x / w.y) : FT(w.x + (c.x - w.x) * w.y / (c.y + w.y));
-    const FT t = (part.b0 + part.b1) / FT(2), rise = w.linear ? w.x : FT(t - w.x);
-    return rise * c.y < w.y * (c.x - t) ? FT(2 * m_length) : FT(-m_length);
+    Part left = part;
+    left.b1 = t;
+    left.begins_at_corner = true;
+    divide(behind_left_side(node), w, left);
+    part.b0 = t;
+    part.ends_at_corner = true;
+    node = behind_right_side(node);
+  }
+
+  // The same for a corner that may lie on the ray through an end of the part: predicates decide.
+  BOOST_NOINLINE void pass_nearby(int& node, const W& w, Part& part)
+  {
+    const Vector c = m_corners[node].place;
+    if(c.y < FT(0))
+    {
+      // The corner lies behind h, so it is beyond an end, and all rays of the part are on one side of it.
+      const bool goes_left = Predicates::is_right_of_ray(w, c.x, c.y, FT((part.b0 + part.b1) / FT(2)));
+      (goes_left ? part.begins_at_corner : part.ends_at_corner) = false;
+      node = goes_left ? behind_left_side(node) : behind_right_side(node);
+      return;
+    }
+    const auto is_right_of = [&](const FT& b, const FT& slack) { return Predicates::is_right_of(w, c.x, c.y, b, slack); };
+    const auto is_left_of = [&](const FT& b, const FT& slack) { return Predicates::is_left_of(w, c.x, c.y, b, slack); };
+    // the ends of the window may miss the corner by a gap
+    const FT gap0 = part.b0 == w.b0 ? w.largest_gap(w.b0, m_length) : FT(0), gap1 = part.b1 == w.b1 ? w.largest_gap(w.b1, m_length) : FT(0);
+    if(! is_left_of(part.b0, FT(-gap0)) && ! is_right_of(part.b1, gap1))
+      reach_corner(m_corners[node], w);
+    if(! is_left_of(part.b1, FT(-m_place)))
+    {
+      part.begins_at_corner = ! is_right_of(part.b1, m_place);
+      node = behind_left_side(node);
+    }
+    else if(is_right_of(part.b0, m_place))
+      pass_on_both_sides(node, w, part, (std::min)((std::max)(w.place_of_ray(c.x, c.y), part.b0), part.b1));
+    else
+    {
+      part.ends_at_corner = ! is_left_of(part.b0, FT(-m_place));
+      node = behind_right_side(node);
+    }
   }
 
   void reach_corner(const Corner& c, const W& w)
@@ -243,21 +287,27 @@ private:
       const W& w = windows[part->window];
       const FT b0 = part->begins_at_corner ? FT(0) : hit(w, part->b1);
       const FT b1 = part->ends_at_corner ? width : hit(w, part->b0);
+      W arriving{ b0, b1, w.x, w.y, w.sigma, w.origin, w.linear, true, true, w.error };
       if(w.linear)
-        m_front.arrive(landing, W{ b0, b1, FT(w.x * ux + w.y * uy), FT(w.x * uy - w.y * ux),
-                                   FT(w.sigma + w.x * begin.x + w.y * begin.y), w.origin, true, true, true, w.error });
+      {
+        arriving.x = w.x * ux + w.y * uy;
+        arriving.y = w.x * uy - w.y * ux;
+        arriving.sigma = w.sigma + w.x * begin.x + w.y * begin.y;
+      }
       else
       {
         const FT dx = w.x - begin.x, dy = w.y + begin.y;
-        m_front.arrive(landing, W{ b0, b1, FT(dx * ux - dy * uy), FT(-dx * uy - dy * ux),
-                                   w.sigma, w.origin, false, true, true, w.error });
+        arriving.x = dx * ux - dy * uy;
+        arriving.y = -dx * uy - dy * ux;
       }
+      m_front.arrive(landing, arriving);
     }
     m_front.finish(landing);
   }
 
   Front& m_front;
   FT m_length, m_place;              // of the edge that the windows come from
+  FT m_doubtful, m_far;              // a ray is clear of a place that is so far away, if its source is not too far for rounding
   std::vector<Corner> m_corners;
   std::vector<Exit> m_exits;
   int m_number_of_exits = 0;

@@ -91,7 +91,11 @@ public:
         const double smaller = above(at_sources + slacks.sum(m_mesh.points[v], above(upper[v] + e)));
         if(! (smaller < 0.9 * e))
           break;
+        // what a smaller loss takes from the length of the path is nothing already
+        const bool is_enough = e < 1e-6 * upper[v];
         e = smaller;
+        if(is_enough)
+          break;
       }
       lower[v] = (std::min)((std::max)(nearest_source, (Number(d) - Number(e)).lower()), upper[v]);
     }
@@ -402,7 +406,7 @@ private:
     return Certified_face::Place(dx * ux + dy * uy, dy * ux - dx * uy);
   }
 
-  static double rounding() { return std::ldexp(1., -48); }
+  static constexpr double rounding() { return 0x1p-48; }
   static double above(double x) { return x + rounding() * std::fabs(x); }
 
   const Mesh& m_mesh;

@@ -11,10 +11,9 @@
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -61,18 +60,13 @@ private:
   {
   public:
     Choice(const Mesh& mesh, std::vector<int>& behind)
-      : m_mesh(mesh), m_behind(behind), m_rank(mesh.number_of_faces()), m_parent(mesh.number_of_faces()),
-        m_size(mesh.number_of_faces(), 1), m_longest(mesh.number_of_faces()), m_is_alone(mesh.number_of_faces(), false),
-        m_sets(m_rank.data(), m_parent.data())
+      : m_mesh(mesh), m_behind(behind), m_group(mesh.number_of_faces(), -1), m_longest(mesh.number_of_faces())
     {}
 
     void open()
     {
       for(int f = 0; f < m_mesh.number_of_faces(); ++f)
-      {
-        m_sets.make_set(f);
         examine(f);
-      }
       for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       {
         const int h = m_longest[f], o = m_mesh.opposite[h];
@@ -92,7 +86,7 @@ private:
 
   private:
     // The work per window grows with the group: that many faces serve best.
-    static int largest_group() { return 16; }
+    static int largest_group() { return 32; }
 
     // Faces that are flatter than this part of their longest side stay alone: their corners are not unfolded far from their frame.
     static FT flatness() { return FT(1e-3); }
@@ -115,33 +109,46 @@ private:
       const FT height = a.y;
       if(height > flatness() * (a.x - a.back))
         return;
-      m_is_alone[f] = true;
+      m_group[f] = alone();
       for(int g = 3 * f; g < 3 * f + 3; ++g)
         if(height == FT(0) && m_mesh.opposite[g] != -1)
-          m_is_alone[Mesh::face(m_mesh.opposite[g])] = true;
+          m_group[Mesh::face(m_mesh.opposite[g])] = alone();
     }
 
     void open(int h)
     {
       const int o = m_mesh.opposite[h];
-      if(o == -1 || m_is_alone[Mesh::face(h)] || m_is_alone[Mesh::face(o)])
+      if(o == -1)
         return;
-      const int a = m_sets.find_set(Mesh::face(h)), b = m_sets.find_set(Mesh::face(o)), size = m_size[a] + m_size[b];
-      if(a == b || size > largest_group())
+      int a = representative(Mesh::face(h)), b = representative(Mesh::face(o));
+      if(a == b || m_group[a] + m_group[b] < -largest_group())
         return;
-      m_sets.link(a, b);
-      m_size[m_parent[a] == b ? b : a] = size;
+      if(m_group[a] > m_group[b])
+        std::swap(a, b);
+      m_group[a] += m_group[b];
+      m_group[b] = a;
       m_behind[h] = o;
       m_behind[o] = h;
     }
 
+    int representative(int f)
+    {
+      int g = f;
+      while(m_group[g] >= 0)
+        g = m_group[g];
+      // short ways for later: each face on the way leads there at once
+      while(m_group[f] >= 0)
+        f = std::exchange(m_group[f], g);
+      return g;
+    }
+
+    // Counts as a group to which nothing can be joined.
+    static int alone() { return -largest_group(); }
+
     const Mesh& m_mesh;
     std::vector<int>& m_behind;
-    std::vector<int> m_rank, m_parent;
-    std::vector<int> m_size;                // of a group, at its representative
+    std::vector<int> m_group;               // per face: minus the size of its group at the representative of the group, a face nearer to that elsewhere
     std::vector<int> m_longest;             // per face: its longest side
-    std::vector<char> m_is_alone;           // per face
-    boost::disjoint_sets<int*, int*> m_sets;
   };
 
   std::vector<int> m_behind;

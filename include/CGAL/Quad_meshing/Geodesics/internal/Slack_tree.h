@@ -66,7 +66,7 @@ private:
   // For the rounding of distances and their sums, relative to them.
   static double margin() { return 1e-12; }
 
-  static double added(double a, double b) { return (a + b) * (1 + std::ldexp(1., -48)); }
+  static double added(double a, double b) { return (a + b) * (1 + 0x1p-48); }
 
   int make(std::size_t begin, std::size_t end)
   {
@@ -123,14 +123,14 @@ private:
   // Whether what begins at `nearest` and lies in the box is farther than the length in any case.
   static bool is_beyond(double nearest, const Bbox_3& box, const Point_3& p, double length)
   {
-    double square = 0;
-    for(int k = 0; k < 3; ++k)
-    {
-      const double d = (std::max)({ 0., box.min(k) - p[k], p[k] - box.max(k) });
-      square += d * d;
-    }
-    return nearest + std::sqrt(square) * (1 - margin()) > length + margin() * std::fabs(length);
+    const double rest = length + margin() * std::fabs(length) - nearest;
+    if(rest < 0)
+      return true;
+    const double x = outside(p.x(), box.xmin(), box.xmax()), y = outside(p.y(), box.ymin(), box.ymax()), z = outside(p.z(), box.zmin(), box.zmax());
+    return (x * x + y * y + z * z) * (1 - 2 * margin()) > rest * rest;
   }
+
+  static double outside(double x, double low, double high) { return (std::max)((std::max)(low - x, x - high), 0.); }
 
   std::vector<Finding> m_findings;
   std::vector<Node> m_nodes;

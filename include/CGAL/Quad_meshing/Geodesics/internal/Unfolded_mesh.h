@@ -9,10 +9,11 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_UNFOLDED_MESH_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_UNFOLDED_MESH_H
 
+#include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Turning_angle.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
-
-#include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
+#include <boost/config.hpp>
 
 #include <cmath>
 #include <type_traits>
@@ -48,16 +49,17 @@ struct Unfolded_mesh
   {
     FT x, y;
     FT back;      // x minus the length of h, with all its digits even if r lies very close to q
+    FT length;    // of h
   };
 
-  // A total angle that exceeds 2 pi (or pi on the border) by no more than this does not make a
+  // A total angle that exceeds 2 pi (or pi on the border) by no more than this, or its arc tangent, does not make a
   // saddle. A path that bends by such an angle is shorter by a relative 1e-22 when it is
   // straightened, far less than rounding.
   static double flat_angle_tolerance() { return 1e-14; }
 
   std::vector<Apex> apex;                 // per halfedge
   std::vector<FT> length;                 // per edge
-  std::vector<double> direction;          // per halfedge: its angle at its source; 0 where nobody asks, at vertices that no path bends at
+  std::vector<double> direction;          // per halfedge: its angle at its source; 0 where nobody asks, at vertices with no shadow
   std::vector<double> total_angle;        // per vertex; 0 likewise
   std::vector<Vertex_passage> passage;    // per vertex
 
@@ -77,7 +79,7 @@ struct Unfolded_mesh
 
   bool is_canonical(int h) const { return opposite[h] < h; }     // also on the border, where opposite[h] is -1
 
-  FT length_of(int h) const { return length[edge_of[h]]; }
+  const FT& length_of(int h) const { return apex[h].length; }
 
   double corner_angle(int h) const { return std::atan2(as_double(apex[h].y), as_double(apex[h].x)); }
 
@@ -100,7 +102,7 @@ private:
   void set_lengths()
   {
     length.resize(number_of_edges());
-    apex.resize(number_of_halfedges());
+    apex.reserve(number_of_halfedges());
     for(int f = 0; f < number_of_faces(); ++f)
     {
       const Point_3 &p = points[corners[f][0]], &q = points[corners[f][1]], &r = points[corners[f][2]];
@@ -115,44 +117,75 @@ private:
       {
         const FT l = square_root(square[k]);
         length[edge_of[3 * f + k]] = l;
-        apex[3 * f + k] = l == FT(0) ? Apex{ FT(0), FT(0), FT(0) } : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l) };
+        apex.push_back(l == FT(0) ? Apex{ FT(0), FT(0), FT(0), FT(0) } : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l), l });
       }
     }
   }
 
   void set_angles()
   {
-    const bool is_precise = ! std::is_same<FT, double>::value;
-    const double pi = std::acos(-1.);
     const std::vector<bool> has_zero_edge = ends_of_zero_edges();
     direction.assign(number_of_halfedges(), 0.);
     total_angle.assign(number_of_vertices(), 0.);
     passage.assign(number_of_vertices(), PASSAGE_NEVER);
-
     for(int v = 0; v < number_of_vertices(); ++v)
     {
       const int first = halfedge_of_vertex[v];
       if(first == -1)
         continue;
-      if(has_zero_edge.empty() && is_clearly_convex(first))
-        continue;
-      double sum = 0;
-      int h = first;
-      do
-      {
-        direction[h] = sum;
-        sum += corner_angle(h);
-        h = next_around_source(h);
-      }
-      while(h != -1 && h != first);
-      total_angle[v] = sum;
-
-      const double straight = h == -1 ? pi : 2 * pi;
-      if((! has_zero_edge.empty() && has_zero_edge[v]) || (is_precise && sum > straight - doubtful_angle()))
+      if(! has_zero_edge.empty() && has_zero_edge[v])
         passage[v] = PASSAGE_EVERYWHERE;
-      else if(sum > straight + flat_angle_tolerance())
-        passage[v] = PASSAGE_IN_SHADOW;
+      else
+        passage[v] = passage_around(first);
+      if(passage[v] == PASSAGE_IN_SHADOW)
+        total_angle[v] = set_directions(first);
     }
+  }
+
+  // At the source of a halfedge, from the sum of the angles around it.
+  Vertex_passage passage_around(int first) const
+  {
+    Turning_angle sum;
+    int h = first;
+    do
+    {
+      sum.add(as_double(apex[h].x), as_double(apex[h].y));
+      h = next_around_source(h);
+    }
+    while(h != -1 && h != first);
+    const int straight = h == -1 ? 1 : 2;
+    if(! std::is_same<FT, double>::value)
+      return sum.exceeds(straight, -doubtful_angle(), [&] { return true; }) ? PASSAGE_EVERYWHERE : PASSAGE_NEVER;
+    return sum.exceeds(straight, flat_angle_tolerance(), [&] { return is_saddle(first, straight); }) ? PASSAGE_IN_SHADOW : PASSAGE_NEVER;
+  }
+
+  // The same, exactly.
+  BOOST_NOINLINE bool is_saddle(int first, int straight) const
+  {
+    std::vector<Turning_angle::Vector> corners;
+    int h = first;
+    do
+    {
+      corners.push_back(Turning_angle::Vector{ as_double(apex[h].x), as_double(apex[h].y) });
+      h = next_around_source(h);
+    }
+    while(h != -1 && h != first);
+    return Turning_angle::exceeds_exactly(corners, straight, flat_angle_tolerance());
+  }
+
+  // Returns the sum of the angles.
+  double set_directions(int first)
+  {
+    double sum = 0;
+    int h = first;
+    do
+    {
+      direction[h] = sum;
+      sum += corner_angle(h);
+      h = next_around_source(h);
+    }
+    while(h != -1 && h != first);
+    return sum;
   }
 
   // Per vertex; empty if there are none.
@@ -169,31 +202,7 @@ private:
     return ends;
   }
 
-  // Whether the angles around the source of `first` clearly sum up to less than 2 pi (pi on the border). The directions of the corners are multiplied
-  // as complex numbers, and half turns are counted where the imaginary part changes its sign; angles close to 0 and to pi leave that unclear.
-  bool is_clearly_convex(int first) const
-  {
-    double x = 1, y = 0;
-    int half_turns = 0, h = first;
-    do
-    {
-      const double a = as_double(apex[h].x), b = as_double(apex[h].y), scale = 1 / (std::fabs(a) + b);
-      if(! (b * scale > unclear_angle()))
-        return false;
-      const double next_x = (x * a - y * b) * scale, next_y = (x * b + y * a) * scale;
-      half_turns += (y < 0) != (next_y < 0);
-      x = next_x;
-      y = next_y;
-      h = next_around_source(h);
-    }
-    while(h != -1 && h != first);
-    return std::fabs(y) > unclear_angle() * std::fabs(x) && half_turns < (h == -1 ? 1 : 2);
-  }
-
   static double doubtful_angle() { return 1e-6; }
-
-  // More than that, and than all rounding.
-  static double unclear_angle() { return 1e-5; }
 };
 
 // Changes from the frame of h to the frame of next(h).

@@ -143,7 +143,7 @@ private:
     if(! whole && ! (from < to && begin < to))
       return;
     const double corner = whole ? 0. : m_mesh.corner_angle(h);
-    if(! whole && ! (begin + corner > from))
+    if(! whole && ! Window_predicates<double>::sum_exceeds(begin, corner, from))
       return;
     const FT d = m_front.label(v).distance;
     const float error = m_front.label(v).error;
@@ -157,7 +157,7 @@ private:
       return;
     }
     const FT b0 = ! whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
-    const FT b1 = ! whole && to < begin + corner ? (std::min)(length, hit(a, to - begin)) : length;
+    const FT b1 = ! whole && Window_predicates<double>::sum_exceeds(begin, corner, to) ? (std::min)(length, hit(a, to - begin)) : length;
     if(b0 < b1)
       m_cross.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_envelope.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_landing.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_lists.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_predicates.h>
 
 #include <boost/config.hpp>
 
@@ -46,7 +47,6 @@ public:
   typedef Number FT;
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
-  typedef Window_tolerances<FT> Tol;
   typedef Window_list<FT> List;
 
   static constexpr bool asks_at_open_edges = false;      // see Face_crossing
@@ -80,7 +80,7 @@ public:
   void reach(int v, const FT& d, int origin, float error, const Angle& angle)
   {
     Vertex_label<FT>& label = m_labels[v];
-    if(! (d < label.distance - FT(Tol::tie()) * label.distance))
+    if(! Window_predicates<FT>::is_shorter(d, label.distance))
       return;
     label.distance = d;
     label.origin = origin;
@@ -101,9 +101,9 @@ public:
   Landing landing(int h) const
   {
     const int e = m_mesh.edge_of[h];
-    return Landing(Window_landing<FT>{ e, m_mesh.is_canonical(h), latest(e) <= m_queue.front(), m_mesh.length[e],
-                                       m_labels[m_mesh.source(h)].distance, m_labels[m_mesh.target(h)].distance, m_lists[e].size },
-                   m_queue.is_due(e));
+    const FT &length = m_mesh.length_of(h), &at_source = m_labels[m_mesh.source(h)].distance, &at_target = m_labels[m_mesh.target(h)].distance;
+    return Landing(Window_landing<FT>{ e, m_mesh.is_canonical(h), latest(at_source, at_target, length) <= m_queue.front(), length, at_source, at_target,
+                                       m_lists[e].size }, m_queue.is_due(e));
   }
 
   // Receives a window that comes through the face of the halfedge, in the frame of the halfedge.
@@ -151,7 +151,7 @@ public:
   double latest(int e) const
   {
     const int h = m_mesh.halfedge_of_edge[e];
-    return as_double(FT((m_labels[m_mesh.source(h)].distance + m_labels[m_mesh.target(h)].distance + m_mesh.length[e]) / FT(2)));
+    return latest(m_labels[m_mesh.source(h)].distance, m_labels[m_mesh.target(h)].distance, m_mesh.length[e]);
   }
 
   // When to go on with what begins at this distance: the margin covers rounding and window ends that move a little.
@@ -162,6 +162,8 @@ public:
   }
 
 private:
+  static double latest(const FT& at_source, const FT& at_target, const FT& length) { return as_double(FT((at_source + at_target + length) / FT(2))); }
+
   static double step_length(const Mesh& mesh)
   {
     double sum = 0;

@@ -87,15 +87,6 @@ struct Window
     return sigma + square_root(d * d + y * y);
   }
 
-  // Whether the distance at t is more than d: the square root is spared.
-  bool is_beyond(const FT& t, const FT& d) const
-  {
-    const FT rest = d - sigma;
-    if(linear)
-      return x * t > rest;
-    return rest < FT(0) || (t - x) * (t - x) + y * y > rest * rest;
-  }
-
   // The derivative of the distance at t.
   FT slope(const FT& t) const
   {
@@ -105,16 +96,18 @@ struct Window
     return d / square_root(d * d + y * y);
   }
 
-  // Whether a gap of this width at the end b of the window may be closed, see Window_tolerances.
-  bool closes_gap(const FT& width, const FT& b, const FT& length) const
+  // Where the ray to the point (px, py) before the edge crosses it.
+  FT place_of_ray(const FT& px, const FT& py) const { return linear ? FT(px - py * x / y) : FT(x + (px - x) * y / (py + y)); }
+
+  // How wide a gap at the end b of the window may be to be closed, see Window_tolerances.
+  FT largest_gap(const FT& b, const FT& length) const
   {
     typedef Window_tolerances<FT> Tol;
-    if(! (width <= FT(Tol::wide_gap()) * length))
-      return false;
-    if(linear)
-      return width * y <= FT(Tol::gap()) * length;
-    const FT r = absolute(b - x) + y;
-    return width * y <= r * FT(Tol::gap()) * (length + r);
+    const FT widest = FT(Tol::wide_gap()) * length;
+    if(! (y > FT(0)))
+      return widest;
+    const FT r = linear ? FT(1) : FT(absolute(b - x) + y), across = linear ? length : FT(length + r);
+    return (std::min)(widest, FT(r * FT(Tol::gap()) * across / y));
   }
 
   // The smallest distance between b0 and b1.
@@ -122,7 +115,7 @@ struct Window
   {
     if(linear)
       return x >= FT(0) ? distance(b0) : distance(b1);
-    return x <= b0 ? distance(b0) : x >= b1 ? distance(b1) : FT(sigma + y);
+    return distance((std::min)((std::max)(x, b0), b1));
   }
 
   // The same window seen from the other end of the edge.
@@ -141,18 +134,6 @@ struct Window
     from_left = ! from_left;
   }
 };
-
-// Whether the rays of both windows continue each other: same origin at the same place.
-template <typename FT>
-bool have_same_source(const Window<FT>& a, const Window<FT>& b)
-{
-  if(a.origin != b.origin || a.linear != b.linear || a.from_left != b.from_left)
-    return false;
-  const FT scale = a.linear ? FT(1) : FT(absolute(a.b1 - a.x) + a.y);
-  const FT close = FT(Window_tolerances<FT>::source()) * scale;
-  return absolute(a.x - b.x) <= close && absolute(a.y - b.y) <= close &&
-         absolute(a.sigma - b.sigma) <= FT(Window_tolerances<FT>::source()) * (absolute(a.sigma) + scale);
-}
 
 // The places z in ]0, width[ at which the distances of two windows are equal, where z = t - l.
 // There are at most two: squaring either equation away leaves a quadratic one. Returns their number.

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_lists.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_predicates.h>
 
 #include <boost/config.hpp>
 
@@ -59,31 +60,31 @@ public:
     // Move the ends of w to places where something ends already, when they are that close.
     if(i < j && list[i].b0 < w.b0)
     {
-      if(w.b0 - list[i].b0 <= place)
+      if(! Predicates::is_wider(list[i].b0, w.b0, place))
         w.b0 = list[i].b0;
-      else if(list[i].b1 - w.b0 <= place)
+      else if(! Predicates::is_wider(w.b0, list[i].b1, place))
         w.b0 = list[i++].b1;
     }
     else
     {
-      const FT left = i > 0 ? list[i - 1].b1 : FT(0), gap = w.b0 - left;
-      if(w.closes_gap(gap, w.b0, length))
+      const FT left = i > 0 ? list[i - 1].b1 : FT(0);
+      if(Predicates::is_closed_gap(w, left, w.b0, w.b0, length))
         w.b0 = left;
     }
     if(i < j && list[j - 1].b1 > w.b1)
     {
-      if(list[j - 1].b1 - w.b1 <= place)
+      if(! Predicates::is_wider(w.b1, list[j - 1].b1, place))
         w.b1 = list[j - 1].b1;
-      else if(w.b1 - list[j - 1].b0 <= place)
+      else if(! Predicates::is_wider(list[j - 1].b0, w.b1, place))
         w.b1 = list[--j].b0;
     }
     else
     {
-      const FT right = j < list.size ? list[j].b0 : length, gap = right - w.b1;
-      if(w.closes_gap(gap, w.b1, length))
+      const FT right = j < list.size ? list[j].b0 : length;
+      if(Predicates::is_closed_gap(w, w.b1, right, w.b1, length))
         w.b1 = right;
     }
-    if(! (w.b1 - w.b0 > place))
+    if(! Predicates::is_wider(w.b0, w.b1, place))
       return NOTHING;
 
     hint = i;
@@ -102,6 +103,7 @@ public:
 
 private:
   typedef Window_tolerances<FT> Tol;
+  typedef Window_predicates<FT> Predicates;
 
   // A piece of the new list: of the new window, or of one of the old ones.
   struct Piece
@@ -137,14 +139,13 @@ private:
       return false;
     W &first = old_is_first ? old : w, &second = old_is_first ? w : old;
     const FT l = second.b0, r = first.b1;
-    const FT first_l = first.distance(l), first_r = first.distance(r);
-    const FT rise_l = second.distance(l) - first_l, rise_r = second.distance(r) - first_r;
     FT z[2];
-    if(! (rise_l > FT(0)) || ! changes_sign(rise_l, rise_r, FT(absolute(first_l) + absolute(first_r))) ||
+    if(Predicates::compare_distances(first, first.distance(l), second, second.distance(l), l) != -1 ||
+       Predicates::compare_distances(first, first.distance(r), second, second.distance(r), r) != 1 ||
        equal_distance_places(first, second, l, FT(r - l), z) != 1)
       return false;
     const FT t = polished(first, second, FT(l + z[0]), l, r);
-    if(! (t - l > place && r - t > place))
+    if(! Predicates::is_wider(l, t, place) || ! Predicates::is_wider(t, r, place))
       return false;
     first.b1 = t;
     second.b0 = t;
@@ -165,7 +166,7 @@ private:
       const FT l = (std::max)(from, old.b0), r = (std::min)(w.b1, old.b1);
       if(old.b0 < l)
         add(k, old.b0, l);
-      else if(l - from > place)
+      else if(Predicates::is_wider(from, l, place))
       {
         add(-1, from, l);
         is_nearer = true;
@@ -175,7 +176,7 @@ private:
         add(k, r, old.b1);
       from = r;
     }
-    if(w.b1 - from > place)
+    if(Predicates::is_wider(from, w.b1, place))
     {
       add(-1, from, w.b1);
       is_nearer = true;
@@ -232,24 +233,10 @@ private:
       m_pieces.push_back(Piece{ old, old == -1, b0, b1 });
   }
 
-  // -1 if the first distance is smaller, 1 if the second one is, 0 if they tie.
-  static int compare(const FT& d, const FT& old)
-  {
-    const FT tie = FT(Tol::tie()) * absolute(old), difference = d - old;
-    return difference < -tie ? -1 : difference > tie ? 1 : 0;
-  }
-
-  // Whether a difference of distances changes its sign between two places, and not by a rounding error where the distances
-  // touch each other: then it is far smaller at one place than at the other.
-  static bool changes_sign(const FT& at_l, const FT& at_r, const FT& distance)
-  {
-    if((at_l < FT(0)) == (at_r < FT(0)))
-      return false;
-    const FT a = absolute(at_l), b = absolute(at_r), ratio = FT(0.01);
-    return a > ratio * b && b > ratio * a && a > FT(Tol::tie()) * distance;
-  }
-
   // Divides [l, r] among the new window and an old one. Returns whether any part is for the new one.
+  //
+  // The places where they are equally far are found in the number type, with its rounding. Which of them is nearer between these places is decided by
+  // predicates, and the old one stays where they tie.
   bool share(const W& w, int k, const FT& l, const FT& r, const FT& place)
   {
     if(! (l < r))
@@ -257,11 +244,11 @@ private:
     const W& old = m_old[k];
     const FT width = r - l;
     const FT w_l = w.distance(l), w_r = w.distance(r), old_l = old.distance(l), old_r = old.distance(r);
-    const int at_l = compare(w_l, old_l), at_r = compare(w_r, old_r);
+    const int at_l = Predicates::compare_distances(w, w_l, old, old_l, l), at_r = Predicates::compare_distances(w, w_r, old, old_r, r);
     // The ends of the pieces, without those that would be too narrow.
     FT cut[4] = { l, r, r, r };
     int m = 1, n = 0;
-    // the difference cannot change faster than 2
+    // the difference cannot change faster than 2, so else it changes its sign nowhere but in a tie
     if(at_l * at_r != 1 || absolute(w_l - old_l) + absolute(w_r - old_r) < FT(2) * width)
     {
       FT z[2];
@@ -274,19 +261,19 @@ private:
       for(int c = 0; c < n; ++c)
       {
         const FT t = polished(w, old, FT(l + z[c]), l, r);
-        if(t - cut[m - 1] > place && r - t > place)
+        if(Predicates::is_wider(cut[m - 1], t, place) && Predicates::is_wider(t, r, place))
           cut[m++] = t;
       }
       cut[m] = r;
     }
     // what is nearer at the ends tells about the pieces
     const bool is_clear = (m == 1 && at_l * at_r == 1) ||
-                          (m == 2 && n == 1 && changes_sign(FT(w_l - old_l), FT(w_r - old_r), FT(absolute(old_l) + absolute(old_r))));
+                          (m == 2 && n == 1 && at_l * at_r == -1);
     bool any = false;
     for(int c = 0; c < m; ++c)
     {
       const FT t = (cut[c] + cut[c + 1]) / FT(2);
-      const int nearer = ! is_clear ? compare(w.distance(t), old.distance(t)) : c == 0 ? at_l : at_r;
+      const int nearer = ! is_clear ? Predicates::compare_distances(w, w.distance(t), old, old.distance(t), t) : c == 0 ? at_l : at_r;
       add(nearer == -1 ? -1 : k, cut[c], cut[c + 1]);
       any = any || nearer == -1;
     }
@@ -312,9 +299,9 @@ private:
   }
 
   // Whether `a`, which ends at a_end, and `b`, which begins at b_begin, are one window.
-  static bool can_join(const W& a, const FT& a_end, const W& b, const FT& b_begin)
+  BOOST_FORCEINLINE static bool can_join(const W& a, const FT& a_end, const W& b, const FT& b_begin)
   {
-    return a.origin == b.origin && a_end == b_begin && a.pending && b.pending && have_same_source(a, b);
+    return a.origin == b.origin && a_end == b_begin && a.pending && b.pending && Predicates::have_same_source(a, b);
   }
 
   std::vector<Piece> m_pieces;

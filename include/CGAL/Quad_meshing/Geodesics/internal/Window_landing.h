@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_LANDING_H
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_predicates.h>
 
 #include <boost/config.hpp>
 
@@ -32,7 +33,7 @@ struct Window_landing
   // Returns false if it has nothing to do there.
   BOOST_FORCEINLINE bool admits(Window<FT>& w) const
   {
-    typedef Window_tolerances<FT> Tol;
+    typedef Window_predicates<FT> Predicates;
     const FT l = length;
     if(! (w.y > FT(0)))
       return false;
@@ -41,10 +42,8 @@ struct Window_landing
     if(! (w.b0 < w.b1))
       return false;
 
-    // Xin and Wang 2009: rays that are longer than the way over an end of the edge lead nowhere.
-    const FT margin = FT(1) + Tol::filter();
-    if(w.is_beyond(w.b1, FT((at_source + w.b1) * margin)) ||
-       w.is_beyond(w.b0, FT((at_target + (l - w.b0)) * margin)))
+    // rays that are longer than the way over an end of the edge lead nowhere
+    if(Predicates::is_longer_than_way(w, w.b1, at_source, w.b1, FT(0)) || Predicates::is_longer_than_way(w, w.b0, at_target, l, w.b0))
       return false;
 
     w.from_left = true;
