@@ -388,6 +388,9 @@ void test_twisted_meshes()
       assert(after.number_of_patches <= before.number_of_patches && after.number_of_quads <= before.number_of_quads);
       if(method == QM::Structure_method::LAYOUT)
         assert(after.number_of_patches < 0.8 * before.number_of_patches && after.number_of_quads > 0.7 * before.number_of_quads);
+      else
+        assert(after.number_of_helices <= before.number_of_helices
+               && after.number_of_helices_with_crossings < before.number_of_helices_with_crossings);
       check_shape(quality, QM::quad_mesh_quality(qm));
       assert(CGAL::is_valid_polygon_mesh(qm) && quad_mesh_checks::figures(qm).vertex_manifold);
 

@@ -84,7 +84,7 @@ public:
   bool optimize_structure = false;       ///< whether `optimize_quad_structure()` makes the base complex coarser
   unsigned int number_of_threads = 1;    ///< that may work at the same time; the result does not depend on it
   unsigned int random_seed = 0;          ///< of the lengths that are tried when the map for the given one is not valid
-  unsigned int smoothing_iterations = 20; ///< sweeps of the final smoothing; 0 keeps the extracted points
+  unsigned int smoothing_iterations = 20; ///< largest number of steps of the final smoothing; 0 keeps the extracted points
   /// @}
 
   /// \name What the Stages Leave Behind
@@ -282,7 +282,8 @@ private:
     timer.start();
     const Quad_mesh_smoothing_result smoothing =
       smooth_quad_mesh(quad_mesh, mesh,
-                       parameters::edge_is_constrained_map(quad_edge_is_feature)
+                       parameters::smooth_globally(true)
+                         .edge_is_constrained_map(quad_edge_is_feature)
                          .number_of_iterations(smoothing_iterations)
                          .visitor(std::ref(visitor)),
                        parameters::edge_is_constrained_map(is_feature));

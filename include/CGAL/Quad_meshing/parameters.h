@@ -69,7 +69,7 @@
 //                                                 onto constrained edges; false
 //   collapse_dual_curves            bool          whether dual curves are collapsed in the end where they can be; false
 //   target_number_of_patches        std::size_t   the optimization ends when there are no more patches; 0: no target
-//   smoothing_iterations            unsigned int  sweeps of the smoothing in the end, 0 smooths nothing; 20
+//   smoothing_iterations            unsigned int  steps or sweeps of the smoothing in the end, 0 smooths nothing; 20
 //   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they have
 //                                                 to go far; false
 //   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step

@@ -108,7 +108,8 @@ The result depends on nothing but the input and the parameters.
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
-    \cgalParamDescription{the number of sweeps of the final smoothing; 0 leaves the vertices where the map puts them}
+    \cgalParamDescription{the largest number of steps of the final smoothing, in which all vertices move at once
+                          (`smooth_globally` of `smooth_quad_mesh()`); 0 leaves the vertices where the map puts them}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{20}
   \cgalParamNEnd

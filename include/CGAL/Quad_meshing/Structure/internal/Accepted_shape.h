@@ -25,7 +25,7 @@ class Accepted_shape
 public:
   // Shares of the minimal scaled Jacobian of the input below which a mesh is not accepted, and above which none with
   // better quads is looked for; nor is it above the number that follows.
-  static constexpr double least_share = 0.5, good_share = 0.8, good_jacobian = 0.6;
+  static constexpr double least_share = 0.5, good_share = 0.8, good_jacobian = 0.5;
 
   // Accepts everything.
   Accepted_shape() = default;

@@ -28,8 +28,9 @@ public:
   static constexpr double tolerated_helices = 0.2, tolerated_patches = 0.33, tolerated_loss = 0.3;
   // A number of helices in the input below which this is the one that counts.
   static constexpr int few_helices = 5;
-  // By which factor the mean deviation of the corners from right angles may grow; from at least so many degrees.
-  static constexpr double tolerated_growth = 1.35, least_deviation = 3;
+  // By which factor the mean deviation of the corners from right angles may grow; the square of a smaller one than so many degrees
+  // may grow by as much as that of this one.
+  static constexpr double tolerated_growth = 1.35, least_deviation = 5;
   // Part of the quads of the input below which a target is no goal.
   static constexpr double least_counted = 0.25;
   // How many times too many quads there may be in a layout that is looked at, and the price of each part that is too many.

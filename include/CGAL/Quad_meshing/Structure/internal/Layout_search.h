@@ -39,7 +39,7 @@ public:
   // not followed.
   static constexpr double crossing_weight = 0.5, feature_weight = 5;
   // The distortion of a layout, as a part of one, that costs the corners of its quads a squared degree.
-  static constexpr double squared_degrees = 500;
+  static constexpr double squared_degrees = 200;
   // Largest number of quads of a layout, as a multiple of that of the first one: the smaller number or more, so many that there are
   // about as many as in the input when each curve is replaced by two, but not more than the larger number; and the factor when
   // none has reached the goals.
