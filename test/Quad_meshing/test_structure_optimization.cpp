@@ -418,6 +418,18 @@ void test_helices_become_few()
               << r.structure_before.number_of_quads << " -> " << r.structure_after.number_of_quads << std::endl;
   }
   assert(before >= 20 && after <= 0.2 * before);
+
+  // one by one: no step makes more of them, in either way of counting
+  for(unsigned int seed = 0; seed < 2; ++seed)
+  {
+    Mesh qm = graph(twisted(flat(SM::refined(irregular(), 4)), 12, seed));
+    const Result r = QM::optimize_quad_structure(qm, options(QM::Structure_method::HELICES).smoothing_iterations(0));
+    std::cout << "  " << r.structure_before.number_of_helices << " -> " << r.structure_after.number_of_helices << ", with crossings "
+              << r.structure_before.number_of_helices_with_crossings << " -> " << r.structure_after.number_of_helices_with_crossings
+              << std::endl;
+    assert(r.structure_after.number_of_helices <= r.structure_before.number_of_helices
+           && r.structure_after.number_of_helices_with_crossings < r.structure_before.number_of_helices_with_crossings);
+  }
 }
 
 void test_features()
