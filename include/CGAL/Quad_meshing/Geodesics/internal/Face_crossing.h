@@ -25,8 +25,11 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Takes windows from one edge of a face to the two others; where an edge is open, on to the edges behind it. What depends
-// on the faces alone is made once for all windows of the edge, and on each edge they arrive in their order.
+// Takes windows from one edge of a face to the two others; where an edge is open, on to the edges behind it. All windows of the edge go
+// together from corner to corner, so that each face is unfolded once, and on each edge they arrive in their order.
+//
+// The ways through a group of faces divide at its corners and may meet again behind them, in the same face but in different frames. There the
+// windows of both go on: the nearer ones are found where they stop.
 //
 // `Front` receives the windows and the distances of the vertices: `Wavefront`, which asks for the windows at the edges
 // where they stop, or `Group_front`, which asks for them at the open edges that they pass.
@@ -55,15 +58,17 @@ public:
     m_doubtful = FT(2) * FT(Tol::wide_gap()) * l;
     m_far = Predicates::far(l);
     m_length = l;
-    m_corners.clear();
-    m_number_of_exits = 0;
-    m_corners.push_back(Corner{ Vector{ apex.x, apex.y }, Vector{ l, FT(0) }, Vector{ apex.back, apex.y }, Vector{ -apex.x, -apex.y },
-                                h, true, 0, 0, -1 });
-    for(std::size_t k = 0; k < windows.size(); ++k)
-      divide(0, windows[k], Part{ static_cast<int>(k), false, false, windows[k].b0, windows[k].b1 });
-    for(int i = 0; i < m_number_of_exits; ++i)
-      if(mesh.length_of(m_exits[i].halfedge) > FT(0))
-        leave(m_exits[i], windows.data());
+    m_windows = windows.data();
+    m_exits.clear();
+    m_number_of_parts = 0;
+    m_way.assign(1, Mesh::face(h));
+    Segment parts = new_segment(windows.size());
+    for(const W& w : windows)
+      m_parts[parts.end++] = Part{ static_cast<int>(&w - m_windows), false, false, w.b0, w.b1 };
+    pass(Corner{ Vector{ apex.x, apex.y }, Vector{ l, FT(0) }, Vector{ apex.back, apex.y }, Vector{ -apex.x, -apex.y }, h, true }, parts);
+    for(const Exit& exit : m_exits)
+      if(mesh.length_of(exit.halfedge) > FT(0))
+        leave(exit);
   }
 
   // Receives a window that comes through the face of the halfedge, in the frame of the halfedge: on it, or behind it if it is open.
@@ -90,17 +95,24 @@ private:
     FT b0, b1;
   };
 
+  // Parts that go the same way, in `m_parts`.
+  struct Segment
+  {
+    std::size_t begin, end;
+
+    bool is_empty() const { return begin == end; }
+  };
+
   // An edge at which windows arrive.
   struct Exit
   {
     int halfedge;
     bool is_last;                // whether it ends at p
     Vector begin, side;          // from where, and how far it runs
-    std::vector<Part> parts;
+    Segment parts;
   };
 
-  // The apex of a face, and what is behind the two sides of the face: another corner, ~i for the i-th exit, or 0 if
-  // nothing has been there yet.
+  // The apex of a face.
   struct Corner
   {
     Vector place;
@@ -108,144 +120,134 @@ private:
     Vector right_side, left_side;
     int halfedge;                // through which its face is entered
     bool is_last;                // whether its face contains p
-    int right, left;
-    int entry;                   // the exit that is the edge by which its face is entered, -1 if nobody asks
   };
 
-  int behind_right_side(int corner)
+  // The ray of a window to a corner, which crosses h at origin + across / depth.
+  struct Ray
   {
-    if(m_corners[corner].right == 0)
-    {
-      const Corner c = m_corners[corner];
-      const int n = behind_side(Mesh::next(c.halfedge), c.begin, c.right_side, false);
-      m_corners[corner].right = n;
-    }
-    return m_corners[corner].right;
+    FT origin, across, depth;
+
+    Ray(const W& w, const Vector& c)
+      : origin(w.linear ? FT(0) : w.x),
+        across(w.linear ? FT(c.x * w.y - c.y * w.x) : FT((c.x - w.x) * w.y)),
+        depth(w.linear ? w.y : FT(c.y + w.y))
+    {}
+
+    FT place() const { return origin + across / depth; }
+
+    // How far beyond b that is, times the depth.
+    FT beyond(const FT& b) const { return across - (b - origin) * depth; }
+  };
+
+  // Room for so many parts, none of them there yet. What it had before in other segments stays until the windows have left.
+  Segment new_segment(std::size_t size)
+  {
+    const std::size_t begin = m_number_of_parts;
+    m_number_of_parts += size;
+    if(m_parts.size() < m_number_of_parts)
+      m_parts.resize(2 * m_number_of_parts);
+    return Segment{ begin, begin };
   }
 
-  int behind_left_side(int corner)
+  // Takes parts past a corner, to the exits.
+  void pass(const Corner& c, const Segment& parts)
   {
-    if(m_corners[corner].left == 0)
+    const std::size_t size = parts.end - parts.begin;
+    Segment left = new_segment(size), right = new_segment(size);
+    for(std::size_t k = parts.begin; k < parts.end; ++k)
     {
-      const Corner c = m_corners[corner];
-      const int n = behind_side(Mesh::prev(c.halfedge), c.place, c.left_side, c.is_last);
-      m_corners[corner].left = n;
+      const Part& part = m_parts[k];
+      const W& w = m_windows[part.window];
+      const Ray ray(w, c.place);
+      // where the ray to the corner is far enough from the ends of the part, rounding does not matter
+      const FT doubtful = m_doubtful * ray.depth;
+      const std::size_t is_left = ray.beyond(part.b1) > doubtful, is_right = ray.beyond(part.b0) < -doubtful;
+      if(BOOST_UNLIKELY(is_left + is_right != 1 || c.place.y < FT(0) || is_far(c, w)))
+      {
+        pass_nearby(c, w, part, left, right);
+        continue;
+      }
+      // both are written, one of them counts: which way they go is hard to foresee
+      Part &to_left = m_parts[left.end], &to_right = m_parts[right.end];
+      to_left = part;
+      to_right = part;
+      to_left.begins_at_corner = false;
+      to_right.ends_at_corner = false;
+      left.end += is_left;
+      right.end += is_right;
     }
-    return m_corners[corner].left;
+    if(! left.is_empty())
+      go_through(Mesh::prev(c.halfedge), c.place, c.left_side, c.is_last, left);
+    if(! right.is_empty())
+      go_through(Mesh::next(c.halfedge), c.begin, c.right_side, false, right);
   }
 
-  int behind_side(int h, const Vector& begin, const Vector& side, bool is_last)
+  // A part with the corner between its rays, or near one of them, or behind h.
+  BOOST_NOINLINE void pass_nearby(const Corner& corner, const W& w, const Part& part, Segment& left, Segment& right)
+  {
+    const Vector c = corner.place;
+    if(c.y < FT(0))
+    {
+      // The corner lies behind h, so it is beyond an end, and all rays of the part are on one side of it.
+      if(Predicates::is_right_of_ray(w, c.x, c.y, FT((part.b0 + part.b1) / FT(2))))
+        add(left, part).begins_at_corner = false;
+      else
+        add(right, part).ends_at_corner = false;
+      return;
+    }
+    const Ray ray(w, c);
+    const FT doubtful = m_doubtful * ray.depth;
+    if(ray.beyond(part.b0) > doubtful && ray.beyond(part.b1) < -doubtful && ! is_far(corner, w))
+    {
+      reach_corner(corner, w);
+      pass_on_both_sides(ray.place(), part, left, right);
+      return;
+    }
+    const auto is_right_of = [&](const FT& b, const FT& slack) { return Predicates::is_right_of(w, c.x, c.y, b, slack); };
+    const auto is_left_of = [&](const FT& b, const FT& slack) { return Predicates::is_left_of(w, c.x, c.y, b, slack); };
+    // The ends of the part may miss the corner by rounding: what is beyond them may come another way around a corner before, in other frames.
+    const FT gap0 = w.largest_gap(part.b0, m_length), gap1 = w.largest_gap(part.b1, m_length);
+    if(! is_left_of(part.b0, FT(-gap0)) && ! is_right_of(part.b1, gap1))
+      reach_corner(corner, w);
+    if(! is_left_of(part.b1, FT(-m_place)))
+      add(left, part).begins_at_corner = ! is_right_of(part.b1, m_place);
+    else if(is_right_of(part.b0, m_place))
+      pass_on_both_sides((std::min)((std::max)(w.place_of_ray(c.x, c.y), part.b0), part.b1), part, left, right);
+    else
+      add(right, part).ends_at_corner = ! is_left_of(part.b0, FT(-m_place));
+  }
+
+  bool is_far(const Corner& c, const W& w) const { return ! (absolute(w.linear ? c.place.x : w.x) < m_far); }
+
+  // Divides a part by the ray to the corner, which crosses h at t.
+  void pass_on_both_sides(const FT& t, const Part& part, Segment& left, Segment& right)
+  {
+    Part& to_left = add(left, part);
+    to_left.b1 = t;
+    to_left.begins_at_corner = true;
+    Part& to_right = add(right, part);
+    to_right.b0 = t;
+    to_right.ends_at_corner = true;
+  }
+
+  Part& add(Segment& segment, const Part& part) { return m_parts[segment.end++] = part; }
+
+  // Takes parts through a side of a face: out, or past the next corner if the side is open.
+  void go_through(int h, const Vector& begin, const Vector& side, bool is_last, const Segment& parts)
   {
     const int o = m_front.behind(h);
-    if(o == -1)
-      return ~add_exit(h, begin, side, is_last);
-    const int entry = Front::asks_at_open_edges ? add_exit(h, begin, side, is_last) : -1;
+    if(o == -1 || Front::asks_at_open_edges)
+      m_exits.push_back(Exit{ h, is_last, begin, side, parts });
+    if(o == -1 || std::find(m_way.begin(), m_way.end(), Mesh::face(o)) != m_way.end())
+      return;
     const Mesh& mesh = m_front.mesh();
     const typename Mesh::Apex& a = mesh.apex[o];
     const FT inverse = FT(1) / mesh.length_of(h), ux = side.x * inverse, uy = side.y * inverse;
     // the way from `begin` to the apex behind; o runs backwards
     const Vector right{ a.y * uy - a.back * ux, -a.y * ux - a.back * uy };
-    m_corners.push_back(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right,
-                                Vector{ side.x - right.x, side.y - right.y }, o, is_last, 0, 0, entry });
-    return static_cast<int>(m_corners.size()) - 1;
-  }
-
-  int add_exit(int h, const Vector& begin, const Vector& side, bool is_last)
-  {
-    if(static_cast<int>(m_exits.size()) == m_number_of_exits)
-      m_exits.emplace_back();
-    Exit& e = m_exits[m_number_of_exits];
-    e.halfedge = h;
-    e.is_last = is_last;
-    e.begin = begin;
-    e.side = side;
-    e.parts.clear();
-    return m_number_of_exits++;
-  }
-
-  // Divides a part of a window, which is to pass a corner, or to leave if `node` is an exit.
-  void divide(int node, const W& w, Part part)
-  {
-    while(node >= 0)
-    {
-      if(Front::asks_at_open_edges && m_corners[node].entry != -1)
-        m_exits[m_corners[node].entry].parts.push_back(part);
-      const Vector c = m_corners[node].place;
-      // The ray to the corner crosses h at origin + across / depth. Where that is far enough from the ends of the part, rounding does not matter.
-      const FT origin = w.linear ? FT(0) : w.x;
-      const FT across = w.linear ? FT(c.x * w.y - c.y * w.x) : FT((c.x - w.x) * w.y), depth = w.linear ? w.y : FT(c.y + w.y);
-      if(! (c.y < FT(0)) && absolute(w.linear ? c.x : w.x) < m_far)
-      {
-        const FT doubtful = m_doubtful * depth, from_b0 = across - (part.b0 - origin) * depth, to_b1 = (part.b1 - origin) * depth - across;
-        if(from_b0 > doubtful)
-        {
-          if(to_b1 > doubtful)
-          {
-            reach_corner(m_corners[node], w);
-            pass_on_both_sides(node, w, part, FT(origin + across / depth));
-            continue;
-          }
-          if(to_b1 < -doubtful)
-          {
-            part.begins_at_corner = false;
-            node = behind_left_side(node);
-            continue;
-          }
-        }
-        else if(from_b0 < -doubtful)
-        {
-          part.ends_at_corner = false;
-          node = behind_right_side(node);
-          continue;
-        }
-      }
-      pass_nearby(node, w, part);
-    }
-    m_exits[~node].parts.push_back(part);
-  }
-
-  // Sends the part on the left of the ray to the corner, which crosses h at t, on. What is on the right remains.
-  BOOST_FORCEINLINE void pass_on_both_sides(int& node, const W& w, Part& part, const FT& t)
-  {
-    Part left = part;
-    left.b1 = t;
-    left.begins_at_corner = true;
-    divide(behind_left_side(node), w, left);
-    part.b0 = t;
-    part.ends_at_corner = true;
-    node = behind_right_side(node);
-  }
-
-  // The same for a corner that may lie on the ray through an end of the part: predicates decide.
-  BOOST_NOINLINE void pass_nearby(int& node, const W& w, Part& part)
-  {
-    const Vector c = m_corners[node].place;
-    if(c.y < FT(0))
-    {
-      // The corner lies behind h, so it is beyond an end, and all rays of the part are on one side of it.
-      const bool goes_left = Predicates::is_right_of_ray(w, c.x, c.y, FT((part.b0 + part.b1) / FT(2)));
-      (goes_left ? part.begins_at_corner : part.ends_at_corner) = false;
-      node = goes_left ? behind_left_side(node) : behind_right_side(node);
-      return;
-    }
-    const auto is_right_of = [&](const FT& b, const FT& slack) { return Predicates::is_right_of(w, c.x, c.y, b, slack); };
-    const auto is_left_of = [&](const FT& b, const FT& slack) { return Predicates::is_left_of(w, c.x, c.y, b, slack); };
-    // the ends of the window may miss the corner by a gap
-    const FT gap0 = part.b0 == w.b0 ? w.largest_gap(w.b0, m_length) : FT(0), gap1 = part.b1 == w.b1 ? w.largest_gap(w.b1, m_length) : FT(0);
-    if(! is_left_of(part.b0, FT(-gap0)) && ! is_right_of(part.b1, gap1))
-      reach_corner(m_corners[node], w);
-    if(! is_left_of(part.b1, FT(-m_place)))
-    {
-      part.begins_at_corner = ! is_right_of(part.b1, m_place);
-      node = behind_left_side(node);
-    }
-    else if(is_right_of(part.b0, m_place))
-      pass_on_both_sides(node, w, part, (std::min)((std::max)(w.place_of_ray(c.x, c.y), part.b0), part.b1));
-    else
-    {
-      part.ends_at_corner = ! is_left_of(part.b0, FT(-m_place));
-      node = behind_right_side(node);
-    }
+    m_way.push_back(Mesh::face(o));
+    pass(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right, Vector{ side.x - right.x, side.y - right.y }, o, is_last }, parts);
+    m_way.pop_back();
   }
 
   void reach_corner(const Corner& c, const W& w)
@@ -262,7 +264,7 @@ private:
     });
   }
 
-  void leave(const Exit& exit, const W* windows)
+  void leave(const Exit& exit)
   {
     typename Front::Landing landing = m_front.landing(exit.halfedge);
     if(landing.is_closed)
@@ -275,16 +277,12 @@ private:
       const FT rise = w.linear ? w.x : FT(b - w.x), d = rise * side.y - w.y * side.x;
       return exit.is_last ? FT(width * (FT(1) - w.y * b / d)) : FT(width * (((begin.x - b) * w.y - begin.y * rise) / d));
     };
-    const Part* part = exit.parts.data();
-    int step = 1;
-    if(landing.is_canonical)
+    const std::size_t size = exit.parts.end - exit.parts.begin;
+    const Part* part = &m_parts[landing.is_canonical ? exit.parts.end - 1 : exit.parts.begin];
+    const int step = landing.is_canonical ? -1 : 1;
+    for(std::size_t n = size; n > 0; --n, part += step)
     {
-      part += exit.parts.size() - 1;
-      step = -1;
-    }
-    for(std::size_t n = exit.parts.size(); n > 0; --n, part += step)
-    {
-      const W& w = windows[part->window];
+      const W& w = m_windows[part->window];
       const FT b0 = part->begins_at_corner ? FT(0) : hit(w, part->b1);
       const FT b1 = part->ends_at_corner ? width : hit(w, part->b0);
       W arriving{ b0, b1, w.x, w.y, w.sigma, w.origin, w.linear, true, true, w.error };
@@ -308,9 +306,11 @@ private:
   Front& m_front;
   FT m_length, m_place;              // of the edge that the windows come from
   FT m_doubtful, m_far;              // a ray is clear of a place that is so far away, if its source is not too far for rounding
-  std::vector<Corner> m_corners;
+  const W* m_windows = nullptr;
+  std::vector<Part> m_parts;
+  std::size_t m_number_of_parts = 0;
   std::vector<Exit> m_exits;
-  int m_number_of_exits = 0;
+  std::vector<int> m_way;            // the faces that the parts have come through: a shortest path goes through each face once
 };
 
 } // namespace internal

@@ -45,13 +45,8 @@ public:
   static constexpr bool asks_at_open_edges = true;
 
   Group_front(const Wavefront<FT>& front, const std::vector<int>& faces)
-    : m_front(front), m_mesh(front.mesh()), m_faces(faces), m_lists(faces.size() - 1)
-  {
-    for(int f : faces)
-      for(int h = 3 * f; h < 3 * f + 3; ++h)
-        if(front.behind(h) != -1 && m_mesh.is_canonical(h))
-          m_edges.push_back(m_mesh.edge_of[h]);
-  }
+    : m_front(front), m_mesh(front.mesh()), m_faces(faces), m_edges(open_edges(front, faces)), m_lists(m_edges.size())
+  {}
 
   const Mesh& mesh() const { return m_mesh; }
   const Vertex_label<FT>& label(int v) const { return m_front.label(v); }
@@ -96,6 +91,16 @@ public:
   }
 
 private:
+  static std::vector<int> open_edges(const Wavefront<FT>& front, const std::vector<int>& faces)
+  {
+    std::vector<int> edges;
+    for(int f : faces)
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+        if(front.behind(h) != -1 && front.mesh().is_canonical(h))
+          edges.push_back(front.mesh().edge_of[h]);
+    return edges;
+  }
+
   bool contains(int face) const { return std::binary_search(m_faces.begin(), m_faces.end(), face); }
 
   // Of an open edge of the group, -1 for all others.

@@ -13,15 +13,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Edges that windows pass without being listed there, long ones first. The faces that open edges join form groups without
-// cycles, so that each group can be unfolded into the plane.
+// Edges that windows pass without being listed there: those between the faces of a group. Groups are about as wide as long, so that few edges
+// are left between them.
 template <typename FT>
 class Open_edges
 {
@@ -32,8 +31,15 @@ public:
   Open_edges(const Mesh& mesh, bool has_groups)
     : m_behind(mesh.number_of_halfedges(), -1)
   {
-    if(has_groups)
-      Choice(mesh, m_behind).open();
+    if(! has_groups)
+      return;
+    const Groups groups(mesh);
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      const int o = mesh.opposite[h];
+      if(o != -1 && groups.are_together(Mesh::face(h), Mesh::face(o)))
+        m_behind[h] = o;
+    }
   }
 
   // The halfedge on the other side of an open edge, -1 if the edge is not open.
@@ -43,112 +49,142 @@ public:
   std::vector<int> group(int f) const
   {
     std::vector<int> faces(1, f);
-    std::vector<int> from(1, -1);        // by which halfedge each is entered
     for(std::size_t i = 0; i < faces.size(); ++i)
       for(int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
-        if(m_behind[h] != -1 && h != from[i])
-        {
+        if(m_behind[h] != -1 && std::find(faces.begin(), faces.end(), Mesh::face(m_behind[h])) == faces.end())
           faces.push_back(Mesh::face(m_behind[h]));
-          from.push_back(m_behind[h]);
-        }
     std::sort(faces.begin(), faces.end());
     return faces;
   }
 
 private:
-  class Choice
+  // Groups grow one after the other, face by face: first come faces with two neighbours in the group, then those that have waited longest beside
+  // it, which makes discs. What remains between groups too small for one is joined to a neighbour.
+  class Groups
   {
   public:
-    Choice(const Mesh& mesh, std::vector<int>& behind)
-      : m_mesh(mesh), m_behind(behind), m_group(mesh.number_of_faces(), -1), m_longest(mesh.number_of_faces())
-    {}
-
-    void open()
+    explicit Groups(const Mesh& mesh)
+      : m_mesh(mesh), m_group(mesh.number_of_faces(), none()), m_candidate_of(mesh.number_of_faces(), -1)
     {
-      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      for(int f = 0; f < mesh.number_of_faces(); ++f)
         examine(f);
-      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
-      {
-        const int h = m_longest[f], o = m_mesh.opposite[h];
-        if(h < o && m_longest[Mesh::face(o)] == o)
-          open(h);
-      }
-      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
-      {
-        const int h = m_longest[f], n = Mesh::next(h), p = Mesh::prev(h);
-        const typename Mesh::Apex& a = m_mesh.apex[h];
-        const bool n_first = a.x + a.back < FT(0);
-        open(h);
-        open(n_first ? n : p);
-        open(n_first ? p : n);
-      }
+      for(int f = 0; f < mesh.number_of_faces(); ++f)
+        if(m_group[f] == none())
+        {
+          grow(f);
+          if(m_members.size() < smallest_group())
+            join();
+        }
     }
+
+    bool are_together(int f, int g) const { return m_group[f] >= 0 && m_group[f] == m_group[g] && f != g; }
 
   private:
-    // The work per window grows with the group: that many faces serve best.
-    static int largest_group() { return 32; }
+    // Windows that cross a group cost less than windows that stop on the way, but more of them cross in vain: that many faces serve best.
+    static std::size_t grown_group() { return 40; }
+    static std::size_t smallest_group() { return 13; }
+    static std::size_t largest_group() { return 60; }
 
-    // Faces that are flatter than this part of their longest side stay alone: their corners are not unfolded far from their frame.
-    static FT flatness() { return FT(1e-3); }
+    static int none() { return -1; }
+    static int alone() { return -2; }
 
-    // Finds the longest side from the frame of the first one: the lengths of edges lie all over the memory.
-    int longest_side(int f) const
-    {
-      const typename Mesh::Apex& a = m_mesh.apex[3 * f];
-      const FT l = a.x - a.back, y2 = a.y * a.y, first = l * l, second = a.back * a.back + y2, third = a.x * a.x + y2;
-      return 3 * f + (first < second ? (second < third ? 2 : 1) : first < third ? 2 : 0);
-    }
-
-    // Paths from a vertex that lies on the opposite edge pass it at once: so faces beside one of no area stay alone too, and
-    // windows from vertices enter groups at their edges or begin in them.
+    // Flat faces stay alone: their corners are not unfolded far from their frame. Paths from a vertex that lies on the opposite edge
+    // pass it at once: so faces beside one of no area stay alone too, and windows from vertices enter groups at their edges or begin in them.
     void examine(int f)
     {
-      const int h = longest_side(f);
-      m_longest[f] = h;
-      const typename Mesh::Apex& a = m_mesh.apex[h];
-      const FT height = a.y;
-      if(height > flatness() * (a.x - a.back))
+      if(! m_mesh.shape[f].is_flat)
         return;
       m_group[f] = alone();
       for(int g = 3 * f; g < 3 * f + 3; ++g)
-        if(height == FT(0) && m_mesh.opposite[g] != -1)
+        if(! m_mesh.shape[f].has_area && m_mesh.opposite[g] != -1)
           m_group[Mesh::face(m_mesh.opposite[g])] = alone();
     }
 
-    void open(int h)
+    // Begins a group with a face.
+    void grow(int f)
     {
-      const int o = m_mesh.opposite[h];
-      if(o == -1)
-        return;
-      int a = representative(Mesh::face(h)), b = representative(Mesh::face(o));
-      if(a == b || m_group[a] + m_group[b] < -largest_group())
-        return;
-      if(m_group[a] > m_group[b])
-        std::swap(a, b);
-      m_group[a] += m_group[b];
-      m_group[b] = a;
-      m_behind[h] = o;
-      m_behind[o] = h;
+      const int group = static_cast<int>(m_sizes.size());
+      m_members.clear();
+      m_notches.clear();
+      m_candidates.clear();
+      std::size_t next_notch = 0, next_candidate = 0;
+      while(f != -1)
+      {
+        m_group[f] = group;
+        m_members.push_back(f);
+        if(m_members.size() == grown_group())
+          break;
+        for(int h = 3 * f; h < 3 * f + 3; ++h)
+        {
+          const int o = m_mesh.opposite[h], g = o == -1 ? f : Mesh::face(o);
+          if(m_group[g] != none())
+            continue;
+          (m_candidate_of[g] == group ? m_notches : m_candidates).push_back(g);
+          m_candidate_of[g] = group;
+        }
+        f = next(m_notches, next_notch);
+        if(f == -1)
+          f = next(m_candidates, next_candidate);
+      }
+      m_sizes.push_back(m_members.size());
     }
 
-    int representative(int f)
+    // The next face of a list from i on that has no group yet, -1 if there is none.
+    int next(const std::vector<int>& faces, std::size_t& i) const
     {
-      int g = f;
-      while(m_group[g] >= 0)
-        g = m_group[g];
-      // short ways for later: each face on the way leads there at once
-      while(m_group[f] >= 0)
-        f = std::exchange(m_group[f], g);
-      return g;
+      while(i < faces.size())
+      {
+        const int f = faces[i++];
+        if(m_group[f] == none())
+          return f;
+      }
+      return -1;
     }
 
-    // Counts as a group to which nothing can be joined.
-    static int alone() { return -largest_group(); }
+    // Joins the last group to the one with which it has the most edges in common.
+    void join()
+    {
+      const int last = static_cast<int>(m_sizes.size()) - 1;
+      m_neighbours.clear();
+      for(int f : m_members)
+        for(int h = 3 * f; h < 3 * f + 3; ++h)
+        {
+          const int o = m_mesh.opposite[h], g = o == -1 ? last : m_group[Mesh::face(o)];
+          if(g >= 0 && g != last && m_sizes[g] + m_members.size() <= largest_group())
+            m_neighbours.push_back(g);
+        }
+      if(m_neighbours.empty())
+        return;
+      const int g = most_frequent(m_neighbours);
+      for(int f : m_members)
+        m_group[f] = g;
+      m_sizes[g] += m_members.size();
+      m_sizes.pop_back();
+    }
+
+    static int most_frequent(std::vector<int>& numbers)
+    {
+      std::sort(numbers.begin(), numbers.end());
+      auto best = numbers.begin();
+      std::ptrdiff_t most = 0;
+      for(auto it = numbers.begin(); it != numbers.end();)
+      {
+        const auto end = std::upper_bound(it, numbers.end(), *it);
+        if(end - it > most)
+        {
+          most = end - it;
+          best = it;
+        }
+        it = end;
+      }
+      return *best;
+    }
 
     const Mesh& m_mesh;
-    std::vector<int>& m_behind;
-    std::vector<int> m_group;               // per face: minus the size of its group at the representative of the group, a face nearer to that elsewhere
-    std::vector<int> m_longest;             // per face: its longest side
+    std::vector<int> m_group;                     // per face
+    std::vector<int> m_candidate_of;              // per face: the last group beside which it was found
+    std::vector<std::size_t> m_sizes;             // per group
+    std::vector<int> m_members, m_candidates, m_notches, m_neighbours;
   };
 
   std::vector<int> m_behind;

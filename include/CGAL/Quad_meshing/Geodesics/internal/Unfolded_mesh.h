@@ -57,7 +57,17 @@ struct Unfolded_mesh
   // straightened, far less than rounding.
   static double flat_angle_tolerance() { return 1e-14; }
 
+  struct Shape
+  {
+    bool is_flat;           // see `flatness()`
+    bool has_area;
+  };
+
+  // The height over the longest side of a face, as part of that side, up to which it is flat.
+  static FT flatness() { return FT(1e-3); }
+
   std::vector<Apex> apex;                 // per halfedge
+  std::vector<Shape> shape;               // per face
   std::vector<FT> length;                 // per edge
   std::vector<double> direction;          // per halfedge: its angle at its source; 0 where nobody asks, at vertices with no shadow
   std::vector<double> total_angle;        // per vertex; 0 likewise
@@ -73,8 +83,14 @@ struct Unfolded_mesh
     for(int h = 0; h < number_of_halfedges(); ++h)
       if(is_canonical(h))
         halfedge_of_edge[edge_of[h]] = h;
-    set_lengths();
-    set_angles();
+    length.resize(number_of_edges());
+    apex.reserve(number_of_halfedges());
+    shape.reserve(number_of_faces());
+    std::vector<Turning_angle> angles(number_of_vertices());
+    std::vector<bool> has_zero_edge(number_of_vertices(), false);
+    for(int f = 0; f < number_of_faces(); ++f)
+      unfold(f, angles, has_zero_edge);
+    set_passages(angles, has_zero_edge);
   }
 
   bool is_canonical(int h) const { return opposite[h] < h; }     // also on the border, where opposite[h] is -1
@@ -99,32 +115,32 @@ private:
     }
   };
 
-  void set_lengths()
+  // Sets what belongs to a face, and adds its angles to those around its corners.
+  void unfold(int f, std::vector<Turning_angle>& angles, std::vector<bool>& has_zero_edge)
   {
-    length.resize(number_of_edges());
-    apex.reserve(number_of_halfedges());
-    for(int f = 0; f < number_of_faces(); ++f)
+    const Point_3 &p = points[corners[f][0]], &q = points[corners[f][1]], &r = points[corners[f][2]];
+    const Difference side[3] = { Difference(p, q), Difference(q, r), Difference(r, p) };
+    const FT square[3] = { side[0].dot(side[0]), side[1].dot(side[1]), side[2].dot(side[2]) };
+    // of each side and the next one
+    const FT dot[3] = { side[0].dot(side[1]), side[1].dot(side[2]), side[2].dot(side[0]) };
+    const int longest = square[0] < square[1] ? (square[1] < square[2] ? 2 : 1) : (square[0] < square[2] ? 2 : 0);
+    // the two shorter sides keep the digits of the area
+    const FT area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
+    shape.push_back(Shape{ ! (area > flatness() * square[longest]), FT(0) < area });
+    for(int k = 0; k < 3; ++k)
     {
-      const Point_3 &p = points[corners[f][0]], &q = points[corners[f][1]], &r = points[corners[f][2]];
-      const Difference side[3] = { Difference(p, q), Difference(q, r), Difference(r, p) };
-      const FT square[3] = { side[0].dot(side[0]), side[1].dot(side[1]), side[2].dot(side[2]) };
-      // of each side and the next one
-      const FT dot[3] = { side[0].dot(side[1]), side[1].dot(side[2]), side[2].dot(side[0]) };
-      // the two shorter sides keep the digits of the area
-      const int longest = square[0] < square[1] ? (square[1] < square[2] ? 2 : 1) : (square[0] < square[2] ? 2 : 0);
-      const FT area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
-      for(int k = 0; k < 3; ++k)
-      {
-        const FT l = square_root(square[k]);
-        length[edge_of[3 * f + k]] = l;
-        apex.push_back(l == FT(0) ? Apex{ FT(0), FT(0), FT(0), FT(0) } : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l), l });
-      }
+      const FT l = square_root(square[k]);
+      length[edge_of[3 * f + k]] = l;
+      const Apex a = l == FT(0) ? Apex{ FT(0), FT(0), FT(0), FT(0) } : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l), l };
+      apex.push_back(a);
+      angles[corners[f][k]].add(as_double(a.x), as_double(a.y));
+      if(l == FT(0))
+        has_zero_edge[corners[f][k]] = has_zero_edge[corners[f][(k + 1) % 3]] = true;
     }
   }
 
-  void set_angles()
+  void set_passages(const std::vector<Turning_angle>& angles, const std::vector<bool>& has_zero_edge)
   {
-    const std::vector<bool> has_zero_edge = ends_of_zero_edges();
     direction.assign(number_of_halfedges(), 0.);
     total_angle.assign(number_of_vertices(), 0.);
     passage.assign(number_of_vertices(), PASSAGE_NEVER);
@@ -133,27 +149,16 @@ private:
       const int first = halfedge_of_vertex[v];
       if(first == -1)
         continue;
-      if(! has_zero_edge.empty() && has_zero_edge[v])
-        passage[v] = PASSAGE_EVERYWHERE;
-      else
-        passage[v] = passage_around(first);
+      passage[v] = has_zero_edge[v] ? PASSAGE_EVERYWHERE : passage_around(first, angles[v]);
       if(passage[v] == PASSAGE_IN_SHADOW)
         total_angle[v] = set_directions(first);
     }
   }
 
-  // At the source of a halfedge, from the sum of the angles around it.
-  Vertex_passage passage_around(int first) const
+  // At the source of its first halfedge, from the sum of the angles around it.
+  Vertex_passage passage_around(int first, const Turning_angle& sum) const
   {
-    Turning_angle sum;
-    int h = first;
-    do
-    {
-      sum.add(as_double(apex[h].x), as_double(apex[h].y));
-      h = next_around_source(h);
-    }
-    while(h != -1 && h != first);
-    const int straight = h == -1 ? 1 : 2;
+    const int straight = opposite[first] == -1 ? 1 : 2;
     if(! std::is_same<FT, double>::value)
       return sum.exceeds(straight, -doubtful_angle(), [&] { return true; }) ? PASSAGE_EVERYWHERE : PASSAGE_NEVER;
     return sum.exceeds(straight, flat_angle_tolerance(), [&] { return is_saddle(first, straight); }) ? PASSAGE_IN_SHADOW : PASSAGE_NEVER;
@@ -186,20 +191,6 @@ private:
     }
     while(h != -1 && h != first);
     return sum;
-  }
-
-  // Per vertex; empty if there are none.
-  std::vector<bool> ends_of_zero_edges() const
-  {
-    std::vector<bool> ends;
-    for(int e = 0; e < number_of_edges(); ++e)
-      if(length[e] == FT(0))
-      {
-        ends.resize(number_of_vertices(), false);
-        const int h = halfedge_of_edge[e];
-        ends[source(h)] = ends[target(h)] = true;
-      }
-    return ends;
   }
 
   static double doubtful_angle() { return 1e-6; }

@@ -139,11 +139,8 @@ private:
   void leave_into_corner(int h, int v, double from, double to)
   {
     const bool whole = to == everywhere();
-    const double begin = m_mesh.direction[h];
-    if(! whole && ! (from < to && begin < to))
-      return;
-    const double corner = whole ? 0. : m_mesh.corner_angle(h);
-    if(! whole && ! Window_predicates<double>::sum_exceeds(begin, corner, from))
+    const double begin = m_mesh.direction[h], end = whole ? 0. : end_of_corner(h, v);
+    if(! whole && ! (from < to && begin < to && from < end))
       return;
     const FT d = m_front.label(v).distance;
     const float error = m_front.label(v).error;
@@ -157,9 +154,16 @@ private:
       return;
     }
     const FT b0 = ! whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
-    const FT b1 = ! whole && Window_predicates<double>::sum_exceeds(begin, corner, to) ? (std::min)(length, hit(a, to - begin)) : length;
+    const FT b1 = ! whole && to < end ? (std::min)(length, hit(a, to - begin)) : length;
     if(b0 < b1)
       m_cross.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
+  }
+
+  // The direction where the face of h ends at v.
+  double end_of_corner(int h, int v) const
+  {
+    const int next = m_mesh.next_around_source(h);
+    return next == -1 || next == m_mesh.halfedge_of_vertex[v] ? m_mesh.total_angle[v] : m_mesh.direction[next];
   }
 
   // Where the ray from the apex hits the halfedge; `angle` is measured from the way to its source.

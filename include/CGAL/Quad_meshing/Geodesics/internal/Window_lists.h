@@ -54,8 +54,11 @@ public:
   List& operator[](int e) { return m_lists[e]; }
   const List& operator[](int e) const { return m_lists[e]; }
 
+  // The number of windows in all lists.
+  std::size_t size() const { return m_size; }
+
   // Makes room for one window at position i.
-  W& insert(List& list, int i)
+  BOOST_FORCEINLINE W& insert(List& list, int i)
   {
     if(list.size == list.capacity)
       grow(list, list.size + 1);
@@ -63,6 +66,7 @@ public:
     for(W* p = list.end(); p != at; --p)
       *p = p[-1];
     ++list.size;
+    ++m_size;
     return *at;
   }
 
@@ -78,6 +82,7 @@ public:
     else if(added < removed)
       std::move(from, list.end(), list.first + i + added);
     list.size = size;
+    m_size = m_size + added - removed;
     return list.first + i;
   }
 
@@ -91,6 +96,7 @@ public:
 
   void clear(List& list)
   {
+    m_size -= list.size;
     free_block(list);
     list = List();
   }
@@ -167,6 +173,7 @@ private:
   }
 
   std::vector<List> m_lists;
+  std::size_t m_size = 0;
   std::vector<std::vector<W*> > m_free;         // per class
   std::vector<std::unique_ptr<W[]> > m_chunks;
   W* m_next = nullptr;                          // what is left of the last chunk

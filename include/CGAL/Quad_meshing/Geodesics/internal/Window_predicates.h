@@ -37,9 +37,6 @@ struct Window_comparisons
   // Whether b - a > slack.
   static bool is_wider(const FT& a, const FT& b, const FT& slack) { return b - a > slack; }
 
-  // Whether a + b > c.
-  static bool sum_exceeds(const FT& a, const FT& b, const FT& c) { return a + b > c; }
-
   // -1 if w.distance(t) is smaller than old.distance(t), 1 if it is larger, 0 if they differ by no more than `slack` times
   // |sigma| + |distance - sigma| of the old one. `d` and `old_d` are the distances, up to rounding.
   static int compare_distances(const W&, const FT& d, const W& old, const FT& old_d, const FT&, const FT& slack)
@@ -84,14 +81,6 @@ struct Window_comparisons<double>
     if(BOOST_LIKELY(d != slack))
       return d > slack;
     return lost_in_sum(b, -a, d) > 0;
-  }
-
-  static bool sum_exceeds(double a, double b, double c)
-  {
-    const double s = a + b;
-    if(BOOST_LIKELY(s != c))
-      return s > c;
-    return lost_in_sum(a, b, s) > 0;
   }
 
   // |sigma| + |distance - sigma| is at most twice |sigma| + |distance|.

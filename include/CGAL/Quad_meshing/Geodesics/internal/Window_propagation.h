@@ -84,12 +84,12 @@ public:
       else
         ++result.number_of_unreached_vertices;
     }
-    result.number_of_windows = number_of_listed_windows();
+    result.number_of_windows = m_front.lists().size();
     result.number_of_propagations = m_propagations;
   }
 
   // The number of windows on all edges, if they are kept.
-  std::size_t number_of_windows() const { return number_of_listed_windows() + m_open_windows->count(); }
+  std::size_t number_of_windows() const { return m_front.lists().size() + m_open_windows->count(); }
 
   // Lets the front advance until nothing is left to do or `go_on(front)` says no, which is asked
   // before every step with a distance that everything still to come exceeds. Returns that distance.
@@ -125,14 +125,6 @@ private:
   static bool has_groups() { return std::numeric_limits<FT>::digits10 != 0; }
 
   bool is_open(int edge) const { return m_front.behind(m_mesh.halfedge_of_edge[edge]) != -1; }
-
-  std::size_t number_of_listed_windows() const
-  {
-    std::size_t n = 0;
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      n += m_front.lists()[e].size;
-    return n;
-  }
 
   // Fetches what the next edges need into the cache: of the first edge where its windows are, of the second one, for
   // which that is known already, the windows and the face before them.
