@@ -17,6 +17,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -61,7 +62,7 @@ public:
     m_windows = windows.data();
     m_exits.clear();
     m_number_of_parts = 0;
-    m_way.assign(1, Mesh::face(h));
+    enter(Mesh::face(h));
     Segment parts = new_segment(windows.size());
     for(const W& w : windows)
       m_parts[parts.end++] = Part{ static_cast<int>(&w - m_windows), false, false, w.b0, w.b1 };
@@ -69,6 +70,7 @@ public:
     for(const Exit& exit : m_exits)
       if(mesh.length_of(exit.halfedge) > FT(0))
         leave(exit);
+    go_back();
   }
 
   // Receives a window that comes through the face of the halfedge, in the frame of the halfedge: on it, or behind it if it is open.
@@ -238,15 +240,35 @@ private:
     const int o = m_front.behind(h);
     if(o == -1 || Front::asks_at_open_edges)
       m_exits.push_back(Exit{ h, is_last, begin, side, parts });
-    if(o == -1 || std::find(m_way.begin(), m_way.end(), Mesh::face(o)) != m_way.end())
+    if(o == -1 || is_on_way(Mesh::face(o)))
       return;
     const Mesh& mesh = m_front.mesh();
     const typename Mesh::Apex& a = mesh.apex[o];
     const FT inverse = FT(1) / mesh.length_of(h), ux = side.x * inverse, uy = side.y * inverse;
     // the way from `begin` to the apex behind; o runs backwards
     const Vector right{ a.y * uy - a.back * ux, -a.y * ux - a.back * uy };
-    m_way.push_back(Mesh::face(o));
+    enter(Mesh::face(o));
     pass(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right, Vector{ side.x - right.x, side.y - right.y }, o, is_last }, parts);
+    go_back();
+  }
+
+  // Whether parts have come through a face already: a shortest path goes through each face once.
+  bool is_on_way(int face) const
+  {
+    return BOOST_UNLIKELY(m_marks[slot(face)] != 0) && std::find(m_way.begin(), m_way.end(), face) != m_way.end();
+  }
+
+  static std::size_t slot(int face) { return static_cast<std::size_t>(face) % 256; }
+
+  void enter(int face)
+  {
+    m_way.push_back(face);
+    ++m_marks[slot(face)];
+  }
+
+  void go_back()
+  {
+    --m_marks[slot(m_way.back())];
     m_way.pop_back();
   }
 
@@ -310,7 +332,8 @@ private:
   std::vector<Part> m_parts;
   std::size_t m_number_of_parts = 0;
   std::vector<Exit> m_exits;
-  std::vector<int> m_way;            // the faces that the parts have come through: a shortest path goes through each face once
+  std::vector<int> m_way;                           // the faces that the parts have come through
+  std::array<unsigned char, 256> m_marks{ };        // how many of them there are of each number modulo 256: none for most
 };
 
 } // namespace internal

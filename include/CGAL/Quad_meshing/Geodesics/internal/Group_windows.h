@@ -45,12 +45,12 @@ public:
   static constexpr bool asks_at_open_edges = true;
 
   Group_front(const Wavefront<FT>& front, const std::vector<int>& faces)
-    : m_front(front), m_mesh(front.mesh()), m_faces(faces), m_edges(open_edges(front, faces)), m_lists(m_edges.size())
+    : m_front(front), m_mesh(front.mesh()), m_group(front.open_edges().group_number(faces.front())), m_edges(open_edges(front, faces)), m_lists(m_edges.size())
   {}
 
   const Mesh& mesh() const { return m_mesh; }
   const Vertex_label<FT>& label(int v) const { return m_front.label(v); }
-  int behind(int h) const { return contains(Mesh::face(h)) ? m_front.behind(h) : -1; }
+  int behind(int h) const { return m_front.open_edges().group_number(Mesh::face(h)) == m_group ? m_front.behind(h) : -1; }
   const std::vector<int>& edges() const { return m_edges; }
   Window_lists<FT>& lists() { return m_lists; }
 
@@ -59,7 +59,7 @@ public:
 
   Landing landing(int h) const
   {
-    const int e = m_mesh.edge_of[h], i = number_of(e);
+    const int i = number_of_edge(h), e = m_mesh.edge_of[h];
     return Landing{ i, m_mesh.is_canonical(h), i == -1, m_mesh.length[e], label(m_mesh.source(h)).distance, label(m_mesh.target(h)).distance,
                     i == -1 ? 0 : m_lists[i].size };
   }
@@ -81,7 +81,7 @@ public:
 
   void store(int h, W w)
   {
-    const int e = m_mesh.edge_of[h], i = number_of(e);
+    const int i = number_of_edge(h), e = m_mesh.edge_of[h];
     if(i == -1)
       return;
     if(! m_mesh.is_canonical(h))
@@ -98,22 +98,22 @@ private:
       for(int h = 3 * f; h < 3 * f + 3; ++h)
         if(front.behind(h) != -1 && front.mesh().is_canonical(h))
           edges.push_back(front.mesh().edge_of[h]);
+    std::sort(edges.begin(), edges.end());
     return edges;
   }
 
-  bool contains(int face) const { return std::binary_search(m_faces.begin(), m_faces.end(), face); }
-
-  // Of an open edge of the group, -1 for all others.
-  int number_of(int e) const
+  // The number of the edge of a halfedge among the open ones of the group, -1 if it is none of them.
+  int number_of_edge(int h) const
   {
-    const auto it = std::find(m_edges.begin(), m_edges.end(), e);
-    return it == m_edges.end() ? -1 : static_cast<int>(it - m_edges.begin());
+    if(behind(h) == -1)
+      return -1;
+    return static_cast<int>(std::lower_bound(m_edges.begin(), m_edges.end(), m_mesh.edge_of[h]) - m_edges.begin());
   }
 
   const Wavefront<FT>& m_front;
   const Mesh& m_mesh;
-  const std::vector<int>& m_faces;      // sorted
-  std::vector<int> m_edges;
+  int m_group;
+  std::vector<int> m_edges;             // the open ones, sorted
   Window_lists<FT> m_lists;
   Window_envelope<FT> m_envelope;
 };
@@ -155,7 +155,7 @@ public:
   // The windows of one of the edges.
   List windows(int e) const
   {
-    const std::size_t i = std::find(m_edges.begin(), m_edges.end(), e) - m_edges.begin();
+    const std::size_t i = std::lower_bound(m_edges.begin(), m_edges.end(), e) - m_edges.begin();
     List list;
     list.first = m_windows.get() + m_begin[i];
     list.size = m_begin[i + 1] - m_begin[i];

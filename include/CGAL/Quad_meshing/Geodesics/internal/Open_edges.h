@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,21 +30,25 @@ public:
 
   // None are open unless `has_groups`.
   Open_edges(const Mesh& mesh, bool has_groups)
-    : m_behind(mesh.number_of_halfedges(), -1)
+    : m_behind(mesh.number_of_halfedges(), -1), m_group(mesh.number_of_faces(), Groups::alone())
   {
     if(! has_groups)
       return;
-    const Groups groups(mesh);
+    m_group = Groups(mesh).of_faces();
     for(int h = 0; h < mesh.number_of_halfedges(); ++h)
     {
       const int o = mesh.opposite[h];
-      if(o != -1 && groups.are_together(Mesh::face(h), Mesh::face(o)))
+      const int f = Mesh::face(h), g = o == -1 ? f : Mesh::face(o);
+      if(f != g && m_group[f] == m_group[g] && m_group[f] != Groups::alone())
         m_behind[h] = o;
     }
   }
 
   // The halfedge on the other side of an open edge, -1 if the edge is not open.
   int behind(int h) const { return m_behind[h]; }
+
+  // The number of the group of a face; faces that are alone have the same one.
+  int group_number(int f) const { return m_group[f]; }
 
   // The faces of the group of a face, in increasing order.
   std::vector<int> group(int f) const
@@ -77,7 +82,10 @@ private:
         }
     }
 
-    bool are_together(int f, int g) const { return m_group[f] >= 0 && m_group[f] == m_group[g] && f != g; }
+    // Takes the numbers of the groups of all faces out.
+    std::vector<int> of_faces() && { return std::move(m_group); }
+
+    static int alone() { return -2; }
 
   private:
     // Windows that cross a group cost less than windows that stop on the way, but more of them cross in vain: that many faces serve best.
@@ -86,7 +94,6 @@ private:
     static std::size_t largest_group() { return 60; }
 
     static int none() { return -1; }
-    static int alone() { return -2; }
 
     // Flat faces stay alone: their corners are not unfolded far from their frame. Paths from a vertex that lies on the opposite edge
     // pass it at once: so faces beside one of no area stay alone too, and windows from vertices enter groups at their edges or begin in them.
@@ -187,7 +194,8 @@ private:
     std::vector<int> m_members, m_candidates, m_notches, m_neighbours;
   };
 
-  std::vector<int> m_behind;
+  std::vector<int> m_behind;      // per halfedge
+  std::vector<int> m_group;       // per face
 };
 
 } // namespace internal

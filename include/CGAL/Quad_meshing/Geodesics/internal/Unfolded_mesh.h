@@ -123,7 +123,7 @@ private:
     const FT square[3] = { side[0].dot(side[0]), side[1].dot(side[1]), side[2].dot(side[2]) };
     // of each side and the next one
     const FT dot[3] = { side[0].dot(side[1]), side[1].dot(side[2]), side[2].dot(side[0]) };
-    const int longest = square[0] < square[1] ? (square[1] < square[2] ? 2 : 1) : (square[0] < square[2] ? 2 : 0);
+    const int longer = square[0] < square[1], longest = square[longer] < square[2] ? 2 : longer;
     // the two shorter sides keep the digits of the area
     const FT area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
     shape.push_back(Shape{ ! (area > flatness() * square[longest]), FT(0) < area });
