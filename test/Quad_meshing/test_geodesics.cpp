@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/algorithm.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -32,6 +33,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -967,6 +969,61 @@ void test_more_digits()
   }
 }
 
+// The same mesh with its vertices and triangles in another order. Vertex i becomes vertex number[i].
+Soup shuffled(const Soup& soup, std::vector<std::size_t>& number)
+{
+  CGAL::Random random(7);
+  number.resize(soup.points.size());
+  std::iota(number.begin(), number.end(), std::size_t(0));
+  CGAL::cpp98::random_shuffle(number.begin(), number.end(), random);
+  Soup other = soup;
+  for(std::size_t i = 0; i < number.size(); ++i)
+    other.points[number[i]] = soup.points[i];
+  CGAL::cpp98::random_shuffle(other.triangles.begin(), other.triangles.end(), random);
+  for(auto& t : other.triangles)
+  {
+    for(std::size_t& v : t)
+      v = number[v];
+    std::rotate(t.begin(), t.begin() + random.get_int(0, 3), t.end());
+  }
+  return other;
+}
+
+// How many faces windows cross at a time depends on the number of sources, and how the elements are numbered inside on their places: neither
+// changes a distance, at vertices or in faces. On the needles straight lines wind around the tips, through the same faces again and again.
+void test_groups()
+{
+  std::cout << "groups of faces" << std::endl;
+  const auto needle = [](const Point_3& p) { return Point_3(0.05 * p.x(), 0.05 * p.y(), p.z()); };
+  for(const Soup& soup : { perturbed(torus(24, 16), 0.02, 3), perturbed(cube(5), 0.03, 1), uneven_square(16, 2), cube(1), icosphere(0),
+                           mapped(icosphere(3), needle), mapped(perturbed(icosphere(2), 0.05, 4), needle), cone(24, 12, 0.05, 1) })
+  {
+    std::vector<std::size_t> number;
+    const Mesh tm = make_mesh(soup), other = make_mesh(shuffled(soup, number));
+    for(std::size_t i : { std::size_t(0), soup.points.size() / 2, soup.points.size() - 1 })
+    {
+      const Vertex source(static_cast<Mesh::size_type>(i));
+      Field field(tm), with_copies(tm), in_other_order(other);
+      field.add_source(source);
+      for(int k = 0; k < 9; ++k)
+        with_copies.add_source(source);
+      in_other_order.add_source(Vertex(static_cast<Mesh::size_type>(number[i])));
+      assert(field.propagate() && with_copies.propagate() && in_other_order.propagate());
+      const auto are_equal = [](double a, double b) { return std::fabs(a - b) <= 1e-12 * a; };
+      for(Vertex v : tm.vertices())
+      {
+        assert(are_equal(field.distance(v), with_copies.distance(v)));
+        assert(are_equal(field.distance(v), in_other_order.distance(Vertex(static_cast<Mesh::size_type>(number[v])))));
+      }
+      for(auto f : tm.faces())
+      {
+        const Location l(f, {{ 0.2, 0.3, 0.5 }});
+        assert(are_equal(field.distance(l), with_copies.distance(l)));
+      }
+    }
+  }
+}
+
 void test_other_graphs()
 {
   std::cout << "Polyhedron_3" << std::endl;
@@ -1040,6 +1097,7 @@ int main()
   test_isolines();
   test_degenerate_faces();
   test_more_digits();
+  test_groups();
   test_other_graphs();
   test_gaps();
   std::cout << "done" << std::endl;

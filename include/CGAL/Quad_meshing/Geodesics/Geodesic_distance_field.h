@@ -52,8 +52,8 @@ namespace Quad_meshing {
  *
  * The algorithm is that of Mitchell, Mount and Papadimitriou (1987) with the linear windows of Bommes and
  * Kobbelt (2007): windows are parts of edges in which the distance is one square root or one linear function. They are kept on some edges, between
- * groups of up to 16 faces. Queries make those of a group that they need from the ones around it, once, and keep them: the first query in a group
- * takes some tens of microseconds. All queries are `const`, and any number of threads may ask at a time.
+ * groups of up to 60 faces. Queries make those of a group that they need from the ones around it, once, and keep them: the first query in a group
+ * takes some 0.2 milliseconds. All queries are `const`, and any number of threads may ask at a time.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam FT the number type of the windows: `double`, or a binary floating point type of more digits such as

@@ -28,13 +28,13 @@ class Open_edges
 public:
   typedef Unfolded_mesh<FT> Mesh;
 
-  // None are open unless `has_groups`.
-  Open_edges(const Mesh& mesh, bool has_groups)
+  // The groups have about so many faces; none are open if it is 1.
+  Open_edges(const Mesh& mesh, int faces_of_group)
     : m_behind(mesh.number_of_halfedges(), -1), m_group(mesh.number_of_faces(), Groups::alone())
   {
-    if(! has_groups)
+    if(faces_of_group == 1)
       return;
-    m_group = Groups(mesh).of_faces();
+    m_group = Groups(mesh, faces_of_group).of_faces();
     for(int h = 0; h < mesh.number_of_halfedges(); ++h)
     {
       const int o = mesh.opposite[h];
@@ -68,8 +68,8 @@ private:
   class Groups
   {
   public:
-    explicit Groups(const Mesh& mesh)
-      : m_mesh(mesh), m_group(mesh.number_of_faces(), none()), m_candidate_of(mesh.number_of_faces(), -1)
+    Groups(const Mesh& mesh, int faces_of_group)
+      : m_mesh(mesh), m_faces_of_group(faces_of_group), m_group(mesh.number_of_faces(), none()), m_candidate_of(mesh.number_of_faces(), -1)
     {
       for(int f = 0; f < mesh.number_of_faces(); ++f)
         examine(f);
@@ -77,7 +77,7 @@ private:
         if(m_group[f] == none())
         {
           grow(f);
-          if(m_members.size() < smallest_group())
+          if(m_members.size() < m_faces_of_group / 3)
             join();
         }
     }
@@ -88,11 +88,6 @@ private:
     static int alone() { return -2; }
 
   private:
-    // Windows that cross a group cost less than windows that stop on the way, but more of them cross in vain: that many faces serve best.
-    static std::size_t grown_group() { return 40; }
-    static std::size_t smallest_group() { return 13; }
-    static std::size_t largest_group() { return 60; }
-
     static int none() { return -1; }
 
     // Flat faces stay alone: their corners are not unfolded far from their frame. Paths from a vertex that lies on the opposite edge
@@ -119,7 +114,7 @@ private:
       {
         m_group[f] = group;
         m_members.push_back(f);
-        if(m_members.size() == grown_group())
+        if(m_members.size() == m_faces_of_group)
           break;
         for(int h = 3 * f; h < 3 * f + 3; ++h)
         {
@@ -157,7 +152,7 @@ private:
         for(int h = 3 * f; h < 3 * f + 3; ++h)
         {
           const int o = m_mesh.opposite[h], g = o == -1 ? last : m_group[Mesh::face(o)];
-          if(g >= 0 && g != last && m_sizes[g] + m_members.size() <= largest_group())
+          if(g >= 0 && g != last && m_sizes[g] + m_members.size() <= m_faces_of_group + m_faces_of_group / 2)
             m_neighbours.push_back(g);
         }
       if(m_neighbours.empty())
@@ -188,6 +183,7 @@ private:
     }
 
     const Mesh& m_mesh;
+    std::size_t m_faces_of_group;
     std::vector<int> m_group;                     // per face
     std::vector<int> m_candidate_of;              // per face: the last group beside which it was found
     std::vector<std::size_t> m_sizes;             // per group

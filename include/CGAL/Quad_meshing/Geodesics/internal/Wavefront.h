@@ -53,10 +53,10 @@ public:
 
   static FT unreached() { return FT(1e300); }
 
-  Wavefront(const Mesh& mesh, bool keep_windows, bool has_groups)
+  Wavefront(const Mesh& mesh, bool keep_windows, int faces_of_group)
     : m_mesh(mesh),
       m_keep_windows(keep_windows),
-      m_open_edges(mesh, has_groups),
+      m_open_edges(mesh, faces_of_group),
       m_lists(mesh.number_of_edges()),
       m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0.f, 0, false }),
       m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))

@@ -55,7 +55,7 @@ public:
   Window_propagation(const Mesh& mesh, const Sources& sources, double allowed_error, bool keep_windows)
     : m_mesh(mesh),
       m_allowed_error(allowed_error),
-      m_front(mesh, keep_windows, has_groups()),
+      m_front(mesh, keep_windows, faces_of_group(sources, allowed_error)),
       m_cross(m_front),
       m_departure(m_front, m_cross)
   {
@@ -121,8 +121,15 @@ public:
   }
 
 private:
-  // What crosses a group in one go takes longer expressions to the other side, which exact types pay for by orders of magnitude.
-  static bool has_groups() { return std::numeric_limits<FT>::digits10 != 0; }
+  // Narrow windows cross large groups fast, wide ones spread over them from every edge: that many faces serve best. Windows are narrow if they
+  // are many, in exact fields of a few points. Exact types pay for longer expressions behind a group by orders of magnitude, and have none.
+  static int faces_of_group(const Sources& sources, double allowed_error)
+  {
+    const std::size_t few = 8;
+    if(std::numeric_limits<FT>::digits10 == 0)
+      return 1;
+    return allowed_error == 0 && sources.elements().size() <= few ? 40 : 16;
+  }
 
   bool is_open(int edge) const { return m_front.behind(m_mesh.halfedge_of_edge[edge]) != -1; }
 
