@@ -299,10 +299,9 @@ private:
       const FT rise = w.linear ? w.x : FT(b - w.x), d = rise * side.y - w.y * side.x;
       return exit.is_last ? FT(width * (FT(1) - w.y * b / d)) : FT(width * (((begin.x - b) * w.y - begin.y * rise) / d));
     };
-    const std::size_t size = exit.parts.end - exit.parts.begin;
     const Part* part = &m_parts[landing.is_canonical ? exit.parts.end - 1 : exit.parts.begin];
     const int step = landing.is_canonical ? -1 : 1;
-    for(std::size_t n = size; n > 0; --n, part += step)
+    for(std::size_t n = exit.parts.end - exit.parts.begin; n > 0; --n, part += step)
     {
       const W& w = m_windows[part->window];
       const FT b0 = part->begins_at_corner ? FT(0) : hit(w, part->b1);
