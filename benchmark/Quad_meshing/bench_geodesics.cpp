@@ -11,10 +11,11 @@
 //   bench_geodesics [--without-reference] [--repeat N] [--subdivide LEVELS] MESH...        default: meshes of CGAL's data folder
 //
 // Each mesh is measured from one vertex and from its sharp edges (dihedral angle above 40 degrees), and so is the mesh after
-// each of LEVELS one-to-four subdivisions. Times are processor times, the best of N runs for both programs, and contain what the
-// system does for them, as giving out memory takes time. Memory is what the
-// heap holds more at the end of the propagation than before it. Windows are counted on all edges, after that. The columns v-only are for exact distances at the vertices, without windows
-// kept; the ratios are CGAL's time over ours, with windows and without, and `differ` is the largest relative difference to its distances.
+// each of LEVELS one-to-four subdivisions. Times are processor times, and contain what the system does for the programs, as giving
+// out memory takes time. They are medians of N runs, in which the programs take turns; so are the ratios, how much longer CGAL's takes than
+// ours, with windows and without. Memory is what the heap holds more at the end of the first propagation than before it. Windows are counted on all
+// edges, after that. The columns v-only are for exact distances at the vertices, without windows kept, and `differ` is the largest
+// relative difference to CGAL's distances.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -63,9 +64,50 @@ struct Measurement
   double seconds, megabytes, windows_per_edge;
 };
 
+double median(std::vector<double> numbers)
+{
+  std::nth_element(numbers.begin(), numbers.begin() + numbers.size() / 2, numbers.end());
+  return numbers[numbers.size() / 2];
+}
+
+// Some ways to compute distances, each measured `repeat` times. They take turns, as the speed of a machine changes while others work on it.
+class Comparison
+{
+public:
+  typedef std::function<Measurement()> Way;
+
+  Comparison(int repeat, const std::vector<Way>& ways)
+    : m_seconds(ways.size())
+  {
+    for(const Way& way : ways)
+      m_last.push_back(way());
+    for(std::size_t k = 0; k < ways.size(); ++k)
+      m_seconds[k].push_back(m_last[k].seconds);
+    for(int i = 1; i < repeat; ++i)
+      for(std::size_t k = 0; k < ways.size(); ++k)
+        m_seconds[k].push_back(ways[k]().seconds);
+  }
+
+  const Measurement& operator[](std::size_t way) const { return m_last[way]; }
+  double seconds(std::size_t way) const { return median(m_seconds[way]); }
+
+  // How much longer one takes than the other.
+  double ratio(std::size_t way, std::size_t other) const
+  {
+    std::vector<double> ratios;
+    for(std::size_t i = 0; i < m_seconds[way].size(); ++i)
+      ratios.push_back(m_seconds[way][i] / m_seconds[other][i]);
+    return median(ratios);
+  }
+
+private:
+  std::vector<Measurement> m_last;
+  std::vector<std::vector<double> > m_seconds;
+};
+
 // Of the constructor and the propagation together, as CGAL's class has no separate set-up either.
-Measurement measure_once(const Mesh& tm, const std::function<void(Field&)>& add_sources, double error, bool keep_windows,
-                         std::vector<double>& distances)
+Measurement measure(const Mesh& tm, const std::function<void(Field&)>& add_sources, double error, bool keep_windows,
+                    std::vector<double>& distances)
 {
   Measurement m;
   const double before = heap_megabytes();
@@ -82,32 +124,20 @@ Measurement measure_once(const Mesh& tm, const std::function<void(Field&)>& add_
   return m;
 }
 
-Measurement measure(int repeat, const Mesh& tm, const std::function<void(Field&)>& add_sources, double error, bool keep_windows,
-                    std::vector<double>& distances)
+Measurement measure_reference(const Mesh& tm, std::vector<double>& distances)
 {
-  Measurement m = measure_once(tm, add_sources, error, keep_windows, distances);
-  for(int i = 1; i < repeat; ++i)
-    m.seconds = (std::min)(m.seconds, measure_once(tm, add_sources, error, keep_windows, distances).seconds);
-  return m;
-}
-
-Measurement measure_reference(int repeat, const Mesh& tm, std::vector<double>& distances)
-{
-  Measurement m{ 0, 0, 0 };
-  for(int i = 0; i < repeat; ++i)
-  {
-    const double before = heap_megabytes();
-    const double start = processor_seconds();
-    Shortest_path shortest_path(tm);
-    shortest_path.add_source_point(*tm.vertices().begin());
-    shortest_path.build_sequence_tree();
-    distances.clear();
-    for(auto v : tm.vertices())
-      distances.push_back(shortest_path.shortest_distance_to_source_points(v).first);
-    const double seconds = processor_seconds() - start;
-    m.seconds = i == 0 ? seconds : (std::min)(m.seconds, seconds);
-    m.megabytes = heap_megabytes() - before;
-  }
+  Measurement m;
+  const double before = heap_megabytes();
+  const double start = processor_seconds();
+  Shortest_path shortest_path(tm);
+  shortest_path.add_source_point(*tm.vertices().begin());
+  shortest_path.build_sequence_tree();
+  distances.clear();
+  for(auto v : tm.vertices())
+    distances.push_back(shortest_path.shortest_distance_to_source_points(v).first);
+  m.seconds = processor_seconds() - start;
+  m.megabytes = heap_megabytes() - before;
+  m.windows_per_edge = 0;
   return m;
 }
 
@@ -200,17 +230,22 @@ int main(int argc, char* argv[])
           else
             field.add_source(*tm.vertices().begin());
         };
-        const Measurement a = measure(repeat, tm, add_sources, 0, true, exact), b = measure(repeat, tm, add_sources, 1e-3, true, approximate),
-                          c = measure(repeat, tm, add_sources, 0, false, at_vertices);
+        const bool with_reference_here = with_reference && ! from_edges;
+        enum { EXACT, APPROXIMATE, AT_VERTICES, REFERENCE };
+        std::vector<Comparison::Way> ways{ [&] { return measure(tm, add_sources, 0, true, exact); },
+                                           [&] { return measure(tm, add_sources, 1e-3, true, approximate); },
+                                           [&] { return measure(tm, add_sources, 0, false, at_vertices); } };
+        if(with_reference_here)
+          ways.push_back([&] { return measure_reference(tm, reference); });
+        const Comparison c(repeat, ways);
         std::printf("%-18s %8d %6s | %8.3f %5.2f %7.1f | %7.3f %7.1f | %7.3f %5.2f %7.1e", name.c_str(), int(tm.number_of_faces()),
-                    from_edges ? "edges" : "vertex", a.seconds, a.windows_per_edge, a.megabytes, c.seconds, c.megabytes,
-                    b.seconds, b.windows_per_edge, largest_relative_difference(exact, approximate));
-        if(!from_edges && with_reference)
-        {
-          const Measurement r = measure_reference(repeat, tm, reference);
-          std::printf(" | %7.3f %7.1f %6.1f %6.1f %8.1e %8.1e", r.seconds, r.megabytes, r.seconds / a.seconds, r.seconds / c.seconds,
+                    from_edges ? "edges" : "vertex", c.seconds(EXACT), c[EXACT].windows_per_edge, c[EXACT].megabytes,
+                    c.seconds(AT_VERTICES), c[AT_VERTICES].megabytes,
+                    c.seconds(APPROXIMATE), c[APPROXIMATE].windows_per_edge, largest_relative_difference(exact, approximate));
+        if(with_reference_here)
+          std::printf(" | %7.3f %7.1f %6.1f %6.1f %8.1e %8.1e", c.seconds(REFERENCE), c[REFERENCE].megabytes,
+                      c.ratio(REFERENCE, EXACT), c.ratio(REFERENCE, AT_VERTICES),
                       largest_relative_difference(exact, reference), largest_relative_difference(at_vertices, reference));
-        }
         std::printf("\n");
         std::fflush(stdout);
       }
