@@ -80,15 +80,15 @@ public:
     : m_seconds(ways.size())
   {
     for(const Way& way : ways)
-      m_last.push_back(way());
+      m_first.push_back(way());
     for(std::size_t k = 0; k < ways.size(); ++k)
-      m_seconds[k].push_back(m_last[k].seconds);
+      m_seconds[k].push_back(m_first[k].seconds);
     for(int i = 1; i < repeat; ++i)
       for(std::size_t k = 0; k < ways.size(); ++k)
         m_seconds[k].push_back(ways[k]().seconds);
   }
 
-  const Measurement& operator[](std::size_t way) const { return m_last[way]; }
+  const Measurement& operator[](std::size_t way) const { return m_first[way]; }
   double seconds(std::size_t way) const { return median(m_seconds[way]); }
 
   // How much longer one takes than the other.
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  std::vector<Measurement> m_last;
+  std::vector<Measurement> m_first;
   std::vector<std::vector<double> > m_seconds;
 };
 
