@@ -1,8 +1,7 @@
 # quad_meshing_program(<source> TEST|PROGRAM): one executable from one source file.
 #
-# A test is compiled with assertions and -O2, a program without them and with -O3, or with what
-# CGAL_QUAD_MESHING_PROGRAM_OPTIMIZATION says. All programs of a kind in one folder share a precompiled
-# header, made from Precompiled.h of that folder if there is one.
+# The build type says how they are optimized. A test keeps its assertions whatever it says. All programs of a kind in one
+# folder share a precompiled header, made from Precompiled.h of that folder if there is one.
 
 find_program(CGAL_QUAD_MESHING_CCACHE ccache)
 mark_as_advanced(CGAL_QUAD_MESHING_CCACHE)
@@ -11,9 +10,7 @@ function(quad_meshing_compile_options target kind)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     set(options -Wall -Wextra)
     if(kind STREQUAL "TEST")
-      list(APPEND options -O2 -UNDEBUG)
-    else()
-      list(APPEND options -O3 ${CGAL_QUAD_MESHING_PROGRAM_OPTIMIZATION} -DNDEBUG)
+      list(APPEND options -UNDEBUG)
     endif()
     if(CGAL_QUAD_MESHING_SANITIZE)
       # With the sanitizers GCC takes default arguments in CGAL's headers for uninitialized.

@@ -14,9 +14,9 @@
 #include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
+#include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -78,7 +78,7 @@ std::vector<std::vector<Point_3> > read_polylines(const std::string& filename)
 class Locator
 {
   typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > Tree;
+  typedef CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive> > Tree;
 
   const Mesh& m_tm;
   Tree m_tree;

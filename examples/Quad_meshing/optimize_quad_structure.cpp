@@ -14,9 +14,9 @@
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -60,7 +60,7 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
       segments.emplace_back(tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1)));
   if(segments.empty())
     return;
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(segments.begin(), segments.end());
+  const CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive> > tree(segments.begin(), segments.end());
   for(Mesh::Edge_index e : qm.edges())
   {
     const Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));

@@ -9,6 +9,7 @@
 // What guides fields: salient directions and sizing, on surfaces whose curvatures are known.
 
 #include "test_meshes.h"
+#include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
@@ -145,9 +146,10 @@ void test_sizing()
   }
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  test_salient_directions();
-  test_sizing();
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "salient_directions", test_salient_directions },
+    { "sizing", test_sizing }
+  });
 }

@@ -9,10 +9,12 @@
 // Cross fields: identities, known fields, brute force on small meshes, invariances.
 
 #include "fields_checks.h"
+#include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/internal/Field_solver.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polyhedron_3.h>
@@ -953,22 +955,23 @@ void test_real_meshes()
   }
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  test_known_fields();
-  test_methods();
-  test_brute_force();
-  test_invariances();
-  test_given_directions();
-  test_sectors();
-  test_singularities_near_features();
-  test_close_pairs();
-  test_tips();
-  test_annihilation();
-  test_sector_potentials();
-  test_small_meshes();
-  test_surface_weights();
-  test_input();
-  test_real_meshes();
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "known_fields", test_known_fields },
+    { "methods", test_methods },
+    { "brute_force", test_brute_force },
+    { "invariances", test_invariances },
+    { "given_directions", test_given_directions },
+    { "sectors", test_sectors },
+    { "singularities_near_features", test_singularities_near_features },
+    { "close_pairs", test_close_pairs },
+    { "tips", test_tips },
+    { "annihilation", test_annihilation },
+    { "sector_potentials", test_sector_potentials },
+    { "small_meshes", test_small_meshes },
+    { "surface_weights", test_surface_weights },
+    { "input", test_input },
+    { "real_meshes", test_real_meshes }
+  });
 }

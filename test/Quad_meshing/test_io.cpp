@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 
 #include "test_meshes.h"
+#include "test_cases.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -383,12 +384,13 @@ void test_json()
     assert(std::strtod(CGAL::Quad_meshing::internal::json_number(x).c_str(), nullptr) == x);
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  test_formats();
-  test_refused();
-  test_repaired();
-  test_soup();
-  test_json();
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "formats", test_formats },
+    { "refused", test_refused },
+    { "repaired", test_repaired },
+    { "soup", test_soup },
+    { "json", test_json }
+  });
 }

@@ -19,12 +19,12 @@
 #include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Grid_map_search.h>
+#include <CGAL/Quad_meshing/internal/compatibility.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 #include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -326,7 +326,7 @@ private:
   void locate_vertices()
   {
     typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
-    typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+    typedef AABB_tree<internal::Aabb_traits<Kernel, Primitive> > Tree;
     const Tree tree(faces(mesh).first, faces(mesh).second, mesh);
     for(Mesh::Vertex_index v : quad_mesh.vertices())
       location[v] = Polygon_mesh_processing::locate_with_AABB_tree(quad_mesh.point(v), tree, mesh);

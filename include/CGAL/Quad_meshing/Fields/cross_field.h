@@ -12,7 +12,7 @@
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
-#include <CGAL/Quad_meshing/Fields/internal/Field_solver.h>
+#include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
@@ -201,8 +201,8 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 
   internal::Cross_field field;
-  typedef typename std::remove_reference<Visitor_reference>::type Visitor;
-  const Cross_field_status status = internal::Field_solver<Visitor>(problem, options, visitor)(field, result);
+  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  const Cross_field_status status = internal::solve_field(problem, options, any_visitor, field, result);
   if(status != Cross_field_status::SUCCESS && status != Cross_field_status::EMPTY_SECTORS)
     return finish(status);
 

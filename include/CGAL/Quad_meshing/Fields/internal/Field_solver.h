@@ -19,6 +19,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
 #include <CGAL/Quad_meshing/Fields/internal/merge_close_pairs.h>
 #include <CGAL/Quad_meshing/Fields/internal/singularity_costs.h>
+#include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,13 +30,6 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-struct Field_options
-{
-  Cross_field_method method = Cross_field_method::POLISHED;
-  double target_edge_length = 0; // 0: none
-  int number_of_bound_rounds = 0;
-};
-
 // Sets all period jumps to the nearest integers for the given angles.
 inline void round_jumps(const Field_problem& problem, Cross_field& field)
 {
@@ -43,20 +37,6 @@ inline void round_jumps(const Field_problem& problem, Cross_field& field)
   for(int e = 0; e < problem.mesh.number_of_edges(); ++e)
     field.period_jump[e] = problem.is_inner(e)
       ? problem.nearest_jump(e, field.angle[problem.first_face(e)], field.angle[problem.second_face(e)]) : 0;
-}
-
-// The index of every vertex in quarters: 4, or 2 on the border, minus the quads of its whole fan.
-inline std::vector<int> field_indices(const Field_problem& problem, const Cross_field& field)
-{
-  const Indexed_triangle_mesh& m = problem.mesh;
-  const std::vector<char> undivided(m.number_of_edges(), 0);
-  const Field_sectors fans = make_field_sectors(m, undivided);
-  const std::vector<int> quads = quads_of_sectors(m, problem.frames, undivided, fans,
-                                                  [&](int e) { return problem.residual(e, field); });
-  std::vector<int> index(m.number_of_vertices(), 0);
-  for(int i = 0; i < fans.number_of_sectors(); ++i)
-    index[fans.vertex[i]] += (fans.closed[i] ? 4 : 2) - quads[i];
-  return index;
 }
 
 inline int count_integers(const Field_problem& problem)
@@ -73,12 +53,11 @@ inline int count_integers(const Field_problem& problem)
   return integers;
 }
 
-// Computes a smooth cross field (thesis 8.2).
-template <typename Visitor>
+// Computes a smooth cross field [Bom12, 8.2].
 class Field_solver
 {
 public:
-  Field_solver(const Field_problem& problem, const Field_options& options, Visitor& visitor)
+  Field_solver(const Field_problem& problem, const Field_options& options, Any_visitor& visitor)
     : m_problem(problem), m_options(options), m_visitor(visitor)
     , m_laplacian(problem)
     , m_polish(problem, m_laplacian)
@@ -195,7 +174,7 @@ private:
 
   const Field_problem& m_problem;
   const Field_options m_options;
-  Visitor& m_visitor;
+  Any_visitor& m_visitor;
   Dual_laplacian m_laplacian;
   Jump_polish m_polish;
   const std::vector<double> m_costs; // per vertex, of a singularity there

@@ -11,12 +11,11 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -129,24 +128,18 @@ private:
   void grow_forests()
   {
     const int nf = m_problem.mesh.number_of_faces();
-    boost::disjoint_sets_with_storage<> faces(nf + 1), sectors(m_size + 1);
-    auto join = [](boost::disjoint_sets_with_storage<>& sets, int i, int j)
-    {
-      const bool were_apart = sets.find_set(i) != sets.find_set(j);
-      sets.union_set(i, j);
-      return were_apart;
-    };
+    Disjoint_sets faces(nf + 1), sectors(m_size + 1);
     auto face = [&](int f) { return m_problem.constrained[f] ? nf : f; };
     for(int i = 0; i < number_of_edges(); ++i)
     {
       const int e = m_edges[i].edge;
-      if(join(faces, face(m_problem.first_face(e)), face(m_problem.second_face(e))))
+      if(faces.join(face(m_problem.first_face(e)), face(m_problem.second_face(e))))
         continue;
-      (join(sectors, m_edges[i].giver, m_edges[i].taker) ? m_sector_forest : m_loops).push_back(i);
+      (sectors.join(m_edges[i].giver, m_edges[i].taker) ? m_sector_forest : m_loops).push_back(i);
     }
-    const int of_zeros = static_cast<int>(sectors.find_set(m_size));
+    const int of_zeros = sectors.find(m_size);
     for(int r = 0; r < m_size; ++r)
-      if(static_cast<int>(sectors.find_set(r)) == r && r != of_zeros)
+      if(sectors.find(r) == r && r != of_zeros)
         m_anchors.push_back(r); // of a component without a row of zeros
   }
 

@@ -9,10 +9,11 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_REFERENCE_CURVES_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_REFERENCE_CURVES_H
 
+#include <CGAL/Quad_meshing/internal/compatibility.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 
 #include <algorithm>
@@ -167,7 +168,7 @@ private:
     }
     Point reference_point() const { return curves->m_segments[segment].ends[0]; }
   };
-  typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+  typedef AABB_tree<Aabb_traits<Kernel, Primitive> > Tree;
 
   std::vector<Chain_segment> m_segments;
   std::unique_ptr<Tree> m_tree;           // built at the first call of locate()

@@ -12,8 +12,8 @@
 #include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/compatibility.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 
 #include <algorithm>
@@ -191,7 +191,7 @@ private:
     Datum datum() const { return surface->triangle(face); }
     Point reference_point() const { return surface->m_mesh.points[surface->m_mesh.corners[face][0]]; }
   };
-  typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+  typedef AABB_tree<Aabb_traits<Kernel, Primitive> > Tree;
 
   void build_tree()
   {
