@@ -521,9 +521,9 @@ void test_close_pairs()
     problem.sectors = I::make_field_sectors(m, problem.aligned);
     const I::Dual_laplacian laplacian(problem);
     I::Cross_field field;
-    CGAL::Quad_meshing::Default_visitor visitor;
+    I::Any_visitor visitor;
     Result result;
-    assert(I::Field_solver<CGAL::Quad_meshing::Default_visitor>(problem, I::Field_options(), visitor)(field, result) == Status::SUCCESS);
+    assert(I::solve_field(problem, I::Field_options(), visitor, field, result) == Status::SUCCESS);
     assert(I::field_indices(problem, field) == std::vector<int>(m.number_of_vertices(), 0));
     for(int steps : { 1, 3 })
       for(int seed : { 0, 17, 200 })
@@ -666,9 +666,9 @@ void test_annihilation()
   problem.sectors = I::make_field_sectors(m, problem.aligned);
   I::Dual_laplacian laplacian(problem);
   I::Cross_field field;
-  CGAL::Quad_meshing::Default_visitor visitor;
+  I::Any_visitor visitor;
   Result result;
-  assert(I::Field_solver<CGAL::Quad_meshing::Default_visitor>(problem, I::Field_options(), visitor)(field, result) == Status::SUCCESS);
+  assert(I::solve_field(problem, I::Field_options(), visitor, field, result) == Status::SUCCESS);
   const std::vector<double> no_costs(m.number_of_vertices(), 0.);
   const auto go_further = [] { return true; };
   for(int steps : { 2, 7, 10 })
