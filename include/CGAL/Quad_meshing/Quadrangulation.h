@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Quad_meshing/internal/Grid_map_search.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
-#include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -268,8 +268,7 @@ private:
     result.other_faces = extraction.other_faces;
     result.irregular_vertices = extraction.irregular_vertices + extraction.irregular_border_vertices;
     result.status = extraction.status == Quad_extraction_status::NOT_SIMPLE ? Result::NOT_VALID : Result::VALID;
-    internal::transfer_feature_edges(mesh, is_feature, get(boost::vertex_index, mesh), get(boost::edge_index, mesh),
-                                     quad_mesh, location, quad_edge_is_feature);
+    transfer_feature_edges(mesh, is_feature, quad_mesh, location, quad_edge_is_feature);
     return true;
   }
 

@@ -244,9 +244,9 @@ private:
                          .visitor(std::ref(visitor)));
     ++result.parameterization_attempts;
     result.parameterization_seconds += map.seconds;
-    if(map.status == Integer_grid_map_result::STOPPED)
+    if(map.status == Integer_grid_map_status::STOPPED)
       return fail(Result::STOPPED, map.message);
-    if(map.status != Integer_grid_map_result::VALID && map.status != Integer_grid_map_result::FOLDED)
+    if(map.status != Integer_grid_map_status::VALID && map.status != Integer_grid_map_status::FOLDED)
       return fail(Result::FAILED, map.message);
     result.parameterization_integers = map.integers;
     result.parameterization_energy = map.energy;
