@@ -41,6 +41,11 @@
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Pipeline/Grid_map_plan.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
@@ -49,8 +54,6 @@
 #include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Quadrangulation.h>
-#include <CGAL/Quad_meshing/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/parameters.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
