@@ -19,7 +19,7 @@
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Surface_components.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>

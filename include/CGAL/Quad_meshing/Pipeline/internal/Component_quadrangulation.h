@@ -13,8 +13,8 @@
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_search.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
-#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 

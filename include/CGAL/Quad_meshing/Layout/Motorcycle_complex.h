@@ -6,12 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_MOTORCYCLE_COMPLEX_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_MOTORCYCLE_COMPLEX_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_MOTORCYCLE_COMPLEX_H
+#define CGAL_QUAD_MESHING_LAYOUT_MOTORCYCLE_COMPLEX_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ struct Motorcycle_complex
   bool is_valid = true;                       // whether all patches are rectangles
 
   Motorcycle_complex(const Indexed_quad_mesh& mesh, const std::vector<char>& is_fixed)
-    : m(mesh), m_rules(make_gp_vertex_rules(mesh, false)), m_wall(mesh.number_of_halfedges(), 0),
+    : m(mesh), m_rules(make_quad_vertex_rules(mesh, false)), m_wall(mesh.number_of_halfedges(), 0),
       m_visited(mesh.number_of_vertices(), 0), m_is_node(mesh.number_of_vertices(), 0)
   {
     for(int h = 0; h < m.number_of_halfedges(); ++h)
@@ -303,7 +303,7 @@ private:
   }
 
   const Indexed_quad_mesh& m;
-  Gp_vertex_rules m_rules;
+  Quad_vertex_rules m_rules;
   std::vector<char> m_wall;                   // per halfedge
   std::vector<char> m_visited, m_is_node;     // per vertex
   std::vector<int> m_arc;                     // per halfedge
@@ -313,4 +313,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_MOTORCYCLE_COMPLEX_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_MOTORCYCLE_COMPLEX_H

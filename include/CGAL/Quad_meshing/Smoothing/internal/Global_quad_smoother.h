@@ -6,12 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
+#define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_smoother.h>
-#include <CGAL/Quad_meshing/Structure/internal/Rectangle_energy.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Quad_smoother.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Rectangle_energy.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -334,4 +334,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_GLOBAL_QUAD_SMOOTHER_H

@@ -6,12 +6,13 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_REALIZATION_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_REALIZATION_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_LAYOUT_REALIZATION_H
+#define CGAL_QUAD_MESHING_LAYOUT_LAYOUT_REALIZATION_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ public:
       for(int i = 0; i < length[a]; ++i)
       {
         const Motorcycle_complex::Arc& arc = m_complex.arcs[a];
-        const int e = m_subdivision.edges.find(m_subdivision.edge(static_cast<int>(a), i)), h = side_of_edge[e];
+        const int e = m_subdivision.edges.smallest(m_subdivision.edge(static_cast<int>(a), i)), h = side_of_edge[e];
         is_border[e] |= arc.is_border;
         if(h != -1 && m.is_feature[arc.halfedges.front()])
           mesh.is_feature[h] = 1;
@@ -92,13 +93,13 @@ private:
   // Of the points that become one, those that may move least give the position.
   void place_wall_points(const Layout_quantization& quantization, const std::vector<char>& is_fixed)
   {
-    const Gp_vertex_rules& rules = quantization.rules();
+    const Quad_vertex_rules& rules = quantization.rules();
     const int n = m_subdivision.number_of_points();
     std::vector<int> weight(n, -1), number(n, 0), vertex(n, -1);
     std::vector<Vector_3> sum(n, Vector_3(0, 0, 0));
     auto add = [&](int point, int w, const Point_3& position, int v)
     {
-      const int p = m_subdivision.points.find(point);
+      const int p = m_subdivision.points.smallest(point);
       if(w < weight[p])
         return;
       if(w > weight[p])
@@ -125,14 +126,14 @@ private:
 
     m_vertex_of_point.assign(n, -1);
     for(int p = 0; p < n; ++p)
-      if(m_subdivision.points.find(p) == p)
+      if(m_subdivision.points.smallest(p) == p)
       {
         m_vertex_of_point[p] = mesh.number_of_vertices();
         mesh.points.push_back(number[p] > 0 ? ORIGIN + sum[p] / number[p] : Point_3(ORIGIN));
         origin.push_back(vertex[p]);
       }
     for(int p = 0; p < n; ++p)
-      m_vertex_of_point[p] = m_vertex_of_point[m_subdivision.points.find(p)];
+      m_vertex_of_point[p] = m_vertex_of_point[m_subdivision.points.smallest(p)];
   }
 
   // The position in the input of each point along a side, in its edges.
@@ -204,7 +205,7 @@ private:
       }
     auto join = [&](int edge, int side)
     {
-      int& other = side_of_edge[m_subdivision.edges.find(edge)];
+      int& other = side_of_edge[m_subdivision.edges.smallest(edge)];
       if(other == -1)
         other = side;
       else
@@ -265,4 +266,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_REALIZATION_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_LAYOUT_REALIZATION_H

@@ -6,13 +6,13 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_MESH_ON_REFERENCE_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_MESH_ON_REFERENCE_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_MESH_ON_REFERENCE_H
+#define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_MESH_ON_REFERENCE_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
-#include <CGAL/Quad_meshing/Structure/internal/Reference_curves.h>
-#include <CGAL/Quad_meshing/Structure/internal/Reference_surface.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Reference_curves.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/internal/Reference_surface.h>
 
 #include <algorithm>
 #include <array>
@@ -287,4 +287,4 @@ protected:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_MESH_ON_REFERENCE_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_MESH_ON_REFERENCE_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_INDEXED_QUAD_MESH_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_INDEXED_QUAD_MESH_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_INDEXED_QUAD_MESH_H
+#define CGAL_QUAD_MESHING_INTERNAL_INDEXED_QUAD_MESH_H
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -200,4 +200,4 @@ make_indexed_quad_mesh(const QuadMesh& qm, VertexPointMap vpm, EdgeIsConstrained
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_INDEXED_QUAD_MESH_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_INDEXED_QUAD_MESH_H

@@ -6,13 +6,13 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_MESH_CONSTRAINTS_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_MESH_CONSTRAINTS_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_WORK_ON_QUAD_MESH_COPY_H
+#define CGAL_QUAD_MESHING_SMOOTHING_WORK_ON_QUAD_MESH_COPY_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
-#include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
+#include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -25,29 +25,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The named parameters of a quad mesh that all functions of this folder share: `edge_is_constrained_map` ...
-template <typename QuadMesh, typename NamedParameters>
-auto edge_constraint_map(const QuadMesh&, const NamedParameters& np)
-{
-  typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                      Ignoring_map<edge_descriptor>());
-}
-
-// ... and `vertex_is_constrained_map`, read for the vertices of a flat copy.
-template <typename QuadMesh, typename NamedParameters>
-std::vector<char> constrained_vertices(const Indexed_quad_mesh_copy<QuadMesh>& copy, const NamedParameters& np)
-{
-  typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor vertex_descriptor;
-  const auto vcm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
-                                                Static_boolean_property_map<vertex_descriptor, false>());
-  std::vector<char> is_constrained;
-  for(vertex_descriptor v : copy.vertices)
-    is_constrained.push_back(get(vcm, v) ? 1 : 0);
-  return is_constrained;
-}
-
-// The same of the triangle mesh that is the reference.
+// The reference that a triangle mesh is, with its named parameters `vertex_point_map` and `edge_is_constrained_map`.
 template <typename TriangleMesh, typename NamedParameters>
 Smoothing_reference smoothing_reference(const Indexed_quad_mesh& m, const TriangleMesh& tm, const NamedParameters& np)
 {
@@ -96,4 +74,4 @@ Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const Mak
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_MESH_CONSTRAINTS_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_WORK_ON_QUAD_MESH_COPY_H

@@ -6,13 +6,13 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_SMOOTHER_H
+#define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_SMOOTHER_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Corner_energy.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_mesh_on_reference.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Corner_energy.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Quad_mesh_on_reference.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_shape.h>
 
 #include <algorithm>
 #include <array>
@@ -252,4 +252,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SMOOTHER_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_SMOOTHER_H

@@ -6,10 +6,10 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_WRITE_QUAD_MESH_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_WRITE_QUAD_MESH_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_WRITE_QUAD_MESH_H
+#define CGAL_QUAD_MESHING_INTERNAL_WRITE_QUAD_MESH_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -154,4 +154,4 @@ struct Ignoring_map
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_WRITE_QUAD_MESH_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_WRITE_QUAD_MESH_H

@@ -6,13 +6,13 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_DISTORTION_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_DISTORTION_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_LAYOUT_DISTORTION_H
+#define CGAL_QUAD_MESHING_LAYOUT_LAYOUT_DISTORTION_H
 
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
-#include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -43,7 +43,7 @@ public:
   // What is added to the diagonal, relative to a weight: a component without irregular vertices may move as a whole.
   static constexpr double regularization = 1e-8;
 
-  Layout_distortion(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const Gp_vertex_rules& rules,
+  Layout_distortion(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const Quad_vertex_rules& rules,
                     const std::vector<char>& is_fixed)
     : m(mesh), m_complex(complex)
   {
@@ -149,7 +149,7 @@ private:
   }
 
   // Each vertex has the frame in which its first halfedge points along x.
-  void number_unknowns(const Gp_vertex_rules& rules, const std::vector<char>& is_fixed)
+  void number_unknowns(const Quad_vertex_rules& rules, const std::vector<char>& is_fixed)
   {
     m_direction.assign(m.number_of_halfedges(), 0);
     m_unknown.assign(m.number_of_vertices(), {{ -1, -1 }});
@@ -287,4 +287,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_DISTORTION_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_LAYOUT_DISTORTION_H

@@ -6,13 +6,13 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_SMOOTHING_REFERENCE_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_SMOOTHING_REFERENCE_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_SMOOTHING_REFERENCE_H
+#define CGAL_QUAD_MESHING_SMOOTHING_SMOOTHING_REFERENCE_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Reference_curves.h>
-#include <CGAL/Quad_meshing/Structure/internal/Reference_surface.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Reference_curves.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Reference_surface.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -89,4 +89,4 @@ Smoothing_reference make_smoothing_reference(const Indexed_quad_mesh& qm, const 
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_SMOOTHING_REFERENCE_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_SMOOTHING_REFERENCE_H

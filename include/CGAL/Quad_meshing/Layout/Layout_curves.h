@@ -6,14 +6,15 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_CURVES_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_CURVES_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_LAYOUT_CURVES_H
+#define CGAL_QUAD_MESHING_LAYOUT_LAYOUT_CURVES_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Arc_subdivision.h>
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Layout/Arc_subdivision.h>
+#include <CGAL/Quad_meshing/Layout/Feature_bends.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ public:
     std::vector<int> crossings;
     for(int e = 0; e < s.number_of_edges(); ++e)
     {
-      const int root = curves.find(e);
+      const int root = curves.smallest(e);
       of_edge[e] = root == e ? static_cast<int>(crossings.size()) : of_edge[root];
       if(root == e)
         crossings.push_back(0);
@@ -188,4 +189,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_CURVES_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_LAYOUT_CURVES_H

@@ -6,11 +6,11 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_FEATURE_BENDS_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_FEATURE_BENDS_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_FEATURE_BENDS_H
+#define CGAL_QUAD_MESHING_LAYOUT_FEATURE_BENDS_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <cmath>
 #include <vector>
@@ -94,4 +94,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_FEATURE_BENDS_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_FEATURE_BENDS_H

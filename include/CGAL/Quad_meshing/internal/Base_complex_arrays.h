@@ -6,11 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_BASE_COMPLEX_ARRAYS_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_BASE_COMPLEX_ARRAYS_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_BASE_COMPLEX_ARRAYS_H
+#define CGAL_QUAD_MESHING_INTERNAL_BASE_COMPLEX_ARRAYS_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <vector>
 
@@ -115,7 +116,7 @@ inline Base_complex_arrays make_base_complex(const Indexed_quad_mesh& m)
       faces.join(h / 4, m.opposite[h] / 4);
   bc.patch.resize(nf);
   for(int f = 0; f < nf; ++f)
-    bc.patch[f] = faces.find(f) == f ? bc.number_of_patches++ : bc.patch[faces.find(f)];
+    bc.patch[f] = faces.smallest(f) == f ? bc.number_of_patches++ : bc.patch[faces.smallest(f)];
   bc.corners_of_patch.assign(bc.number_of_patches, 0);
   for(int h = 0; h < nh; ++h)
     if(bc.is_separatrix[h] && bc.is_separatrix[m.prev(h)])
@@ -136,9 +137,9 @@ inline Base_complex_arrays make_base_complex(const Indexed_quad_mesh& m)
   std::vector<char> touches_node(nh, 0);
   for(int h = 0; h < nh; ++h)
     if(bc.is_separatrix[h] && m.edge(h) == h && (bc.is_node[m.source(h)] || bc.is_node[m.target(h)]))
-      touches_node[arcs.find(h)] = 1;
+      touches_node[arcs.smallest(h)] = 1;
   for(int h = 0; h < nh; ++h)
-    if(bc.is_separatrix[h] && m.edge(h) == h && arcs.find(h) == h)
+    if(bc.is_separatrix[h] && m.edge(h) == h && arcs.smallest(h) == h)
     {
       ++bc.number_of_arcs;
       bc.number_of_free_loops += !touches_node[h];
@@ -174,20 +175,20 @@ inline Parallel_classes make_parallel_classes(const Indexed_quad_mesh& m, const 
   }
   for(int h = 0; h < nh; ++h)
     if(is_broken[h])
-      is_broken[chains.find(h)] = 1;
+      is_broken[chains.smallest(h)] = 1;
 
   Disjoint_sets parallel(lines.number_of_lines());
   for(int l = 0; l < lines.number_of_lines(); ++l)
     parallel.join(l, lines.reverse[l]);
   for(int h = 0; h < nh; ++h)
-    if(m.opposite[h] > h && !is_broken[chains.find(m.edge(h))])
+    if(m.opposite[h] > h && !is_broken[chains.smallest(m.edge(h))])
       // the lines that run along the edge on both sides
       parallel.join(lines.line[m.next(h)], lines.line[m.next(m.opposite[h])]);
 
   Parallel_classes classes;
   classes.of_line.resize(lines.number_of_lines());
   for(int l = 0; l < lines.number_of_lines(); ++l)
-    classes.of_line[l] = parallel.find(l) == l ? classes.number_of_classes++ : classes.of_line[parallel.find(l)];
+    classes.of_line[l] = parallel.smallest(l) == l ? classes.number_of_classes++ : classes.of_line[parallel.smallest(l)];
   return classes;
 }
 
@@ -213,4 +214,4 @@ inline int number_of_representative_crossings(const Indexed_quad_mesh& m, const 
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_BASE_COMPLEX_ARRAYS_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_BASE_COMPLEX_ARRAYS_H

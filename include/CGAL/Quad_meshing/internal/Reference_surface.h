@@ -6,12 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_REFERENCE_SURFACE_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_REFERENCE_SURFACE_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_REFERENCE_SURFACE_H
+#define CGAL_QUAD_MESHING_INTERNAL_REFERENCE_SURFACE_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_shape.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_tree.h>
@@ -247,4 +247,4 @@ inline Indexed_triangle_mesh triangulated_quad_mesh(const Indexed_quad_mesh& qm)
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_REFERENCE_SURFACE_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_REFERENCE_SURFACE_H

@@ -6,10 +6,10 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_RECTANGLE_ENERGY_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_RECTANGLE_ENERGY_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_RECTANGLE_ENERGY_H
+#define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_RECTANGLE_ENERGY_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Corner_energy.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Corner_energy.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -86,4 +86,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_RECTANGLE_ENERGY_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_RECTANGLE_ENERGY_H

@@ -6,10 +6,10 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_DUAL_LINES_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_DUAL_LINES_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_DUAL_LINES_H
+#define CGAL_QUAD_MESHING_INTERNAL_DUAL_LINES_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <algorithm>
 #include <numeric>
@@ -100,33 +100,8 @@ inline bool is_irregular(const Indexed_quad_mesh& m, int v)
   return m.halfedge_of_vertex[v] != -1 && m.valence(v) != (m.is_border_vertex(v) ? 3 : 4);
 }
 
-// Disjoint sets of 0, .., n-1; the smallest element represents its set.
-class Disjoint_sets
-{
-  std::vector<int> m_parent;
-
-public:
-  explicit Disjoint_sets(int n) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), 0); }
-
-  int find(int i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  // False if the two were in one set before.
-  bool join(int i, int j)
-  {
-    i = find(i);
-    j = find(j);
-    m_parent[(std::max)(i, j)] = (std::min)(i, j);
-    return i != j;
-  }
-};
-
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_DUAL_LINES_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_DUAL_LINES_H

@@ -6,14 +6,14 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_DEVIATION_H
-#define CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_DEVIATION_H
+#ifndef CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEVIATION_H
+#define CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEVIATION_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
-#include <CGAL/Quad_meshing/Structure/internal/Reference_surface.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/internal/Reference_surface.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Bbox_3.h>
@@ -253,4 +253,4 @@ quad_mesh_deviation(const QuadMesh& qm, const TriangleMesh& tm,
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_DEVIATION_H
+#endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEVIATION_H

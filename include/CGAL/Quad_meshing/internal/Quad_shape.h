@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SHAPE_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SHAPE_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_QUAD_SHAPE_H
+#define CGAL_QUAD_MESHING_INTERNAL_QUAD_SHAPE_H
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
@@ -109,4 +109,4 @@ inline double minimal_scaled_jacobian(const Shape_point_3& p0, const Shape_point
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_QUAD_SHAPE_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_QUAD_SHAPE_H

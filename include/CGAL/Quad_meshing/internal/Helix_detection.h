@@ -6,11 +6,11 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_DETECTION_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_DETECTION_H
+#ifndef CGAL_QUAD_MESHING_INTERNAL_HELIX_DETECTION_H
+#define CGAL_QUAD_MESHING_INTERNAL_HELIX_DETECTION_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -282,4 +282,4 @@ minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_DETECTION_H
+#endif // CGAL_QUAD_MESHING_INTERNAL_HELIX_DETECTION_H

@@ -6,13 +6,14 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_QUANTIZATION_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_QUANTIZATION_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_LAYOUT_QUANTIZATION_H
+#define CGAL_QUAD_MESHING_LAYOUT_LAYOUT_QUANTIZATION_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Arc_subdivision.h>
-#include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Layout/Arc_subdivision.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <algorithm>
 #include <functional>
@@ -46,7 +47,7 @@ public:
 
   Layout_quantization(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const std::vector<char>& is_fixed,
                       bool merge_singularities)
-    : m_complex(complex), m_rules(make_gp_vertex_rules(mesh, merge_singularities)), m_node_number(mesh.number_of_vertices(), -1)
+    : m_complex(complex), m_rules(make_quad_vertex_rules(mesh, merge_singularities)), m_node_number(mesh.number_of_vertices(), -1)
   {
     for(const Motorcycle_complex::Arc& a : complex.arcs)
     {
@@ -64,7 +65,7 @@ public:
       if(a.patch[1] != -1)
         components.join(a.patch[0], a.patch[1]);
     for(int p = 0; p < static_cast<int>(complex.patches.size()); ++p)
-      m_component.push_back(components.find(p));
+      m_component.push_back(components.smallest(p));
     m_euler_characteristic = check().euler_characteristic;
   }
 
@@ -75,7 +76,7 @@ public:
 
   const Motorcycle_complex& complex() const { return m_complex; }
   const std::vector<int>& vertex_of_node() const { return m_vertex_of_node; }
-  const Gp_vertex_rules& rules() const { return m_rules; }
+  const Quad_vertex_rules& rules() const { return m_rules; }
 
   int number_of_quads(const std::vector<int>& lengths) const
   {
@@ -284,9 +285,9 @@ private:
     Arc_subdivision s = subdivision(length);
     Check result;
     for(int e = 0; e < s.number_of_edges(); ++e)
-      result.euler_characteristic -= s.edges.find(e) == e;
+      result.euler_characteristic -= s.edges.smallest(e) == e;
     for(int p = 0; p < s.number_of_points(); ++p)
-      result.euler_characteristic += s.points.find(p) == p;
+      result.euler_characteristic += s.points.smallest(p) == p;
     // a component that becomes a circle is gone, too
     std::vector<char> is_left(m_component.size(), 0);
     for(std::size_t p = 0; p < m_complex.patches.size(); ++p)
@@ -307,7 +308,7 @@ private:
     for(std::size_t i = 0; i < m_vertex_of_node.size(); ++i)
     {
       const int v = m_vertex_of_node[i];
-      Group& g = groups[s.points.find(static_cast<int>(i))];
+      Group& g = groups[s.points.smallest(static_cast<int>(i))];
       g.special += m_rules.is_special[v];
       g.irregular_inside += m_rules.is_irregular[v] && !m_rules.on_feature[v] && !m_rules.on_border[v];
       g.features += m_rules.on_feature[v];
@@ -320,13 +321,13 @@ private:
         continue;
       for(int i = 1; i < length[a]; ++i)
       {
-        Group& g = groups[s.points.find(s.point(static_cast<int>(a), i))];
+        Group& g = groups[s.points.smallest(s.point(static_cast<int>(a), i))];
         g.features += x.is_feature;
         g.borders += x.is_border;
       }
       if(length[a] == 0)
       {
-        Group& g = groups[s.points.find(s.point(static_cast<int>(a), 0))];
+        Group& g = groups[s.points.smallest(s.point(static_cast<int>(a), 0))];
         g.features -= x.is_feature;
         g.borders -= x.is_border;
       }
@@ -341,7 +342,7 @@ private:
   }
 
   const Motorcycle_complex& m_complex;
-  Gp_vertex_rules m_rules;
+  Quad_vertex_rules m_rules;
   std::vector<int> m_node_number, m_vertex_of_node;
   std::vector<int> m_component;               // per patch: the first one of its connected component
   int m_euler_characteristic = 0;
@@ -353,4 +354,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_QUANTIZATION_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_LAYOUT_QUANTIZATION_H

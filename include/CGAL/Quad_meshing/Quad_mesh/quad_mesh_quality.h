@@ -6,11 +6,11 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_QUALITY_H
-#define CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_QUALITY_H
+#ifndef CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_QUALITY_H
+#define CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_QUALITY_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_shape.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -226,4 +226,4 @@ worst_quads(const QuadMesh& qm, std::size_t number, const NamedParameters& np = 
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_QUALITY_H
+#endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_QUALITY_H

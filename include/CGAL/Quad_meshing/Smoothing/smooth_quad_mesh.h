@@ -6,14 +6,14 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
-#define CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_SMOOTH_QUAD_MESH_H
+#define CGAL_QUAD_MESHING_SMOOTHING_SMOOTH_QUAD_MESH_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Structure/internal/Global_quad_smoother.h>
-#include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
-#include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Global_quad_smoother.h>
+#include <CGAL/Quad_meshing/Smoothing/work_on_quad_mesh_copy.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -275,4 +275,4 @@ smooth_quad_mesh(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_val
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_SMOOTH_QUAD_MESH_H
+#endif // CGAL_QUAD_MESHING_SMOOTHING_SMOOTH_QUAD_MESH_H

@@ -6,11 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ARC_SUBDIVISION_H
-#define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ARC_SUBDIVISION_H
+#ifndef CGAL_QUAD_MESHING_LAYOUT_ARC_SUBDIVISION_H
+#define CGAL_QUAD_MESHING_LAYOUT_ARC_SUBDIVISION_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
 
 #include <algorithm>
 #include <array>
@@ -112,4 +113,4 @@ public:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ARC_SUBDIVISION_H
+#endif // CGAL_QUAD_MESHING_LAYOUT_ARC_SUBDIVISION_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_DEFECTS_H
-#define CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_DEFECTS_H
+#ifndef CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H
+#define CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H
 
 #include <CGAL/number_utils.h>
 
@@ -172,4 +172,4 @@ Quad_mesh_defects find_quad_mesh_defects(const PointRange& points, const Polygon
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_DEFECTS_H
+#endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H

@@ -6,14 +6,15 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_STRUCTURE_H
-#define CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_STRUCTURE_H
+#ifndef CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H
+#define CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Base_complex_arrays.h>
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Helix_detection.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -174,9 +175,9 @@ inline Quad_mesh_structure structure_of_quad_mesh(const Indexed_quad_mesh& m)
     if(valence == 0)
       continue;
     ++s.number_of_vertices;
-    s.number_of_components += components.find(v) == v;
+    s.number_of_components += components.smallest(v) == v;
     const bool on_border = m.is_border_vertex(v);
-    s.number_of_boundary_loops += on_border && loops.find(v) == v;
+    s.number_of_boundary_loops += on_border && loops.smallest(v) == v;
     const int index = (on_border ? 3 : 4) - valence;
     s.sum_of_indices += index;
     if(index != 0)
@@ -336,4 +337,4 @@ std::vector<Quad_helix<QuadMesh> > minimal_q_helices(const QuadMesh& qm)
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_STRUCTURE_QUAD_MESH_STRUCTURE_H
+#endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H
