@@ -96,7 +96,7 @@ void bench(const std::string& filename)
   const Eigen::SparseMatrix<double> A = problem.matrix();
   const double cholesky = seconds([&]
   {
-    QM::Sparse_cholesky solver;
+    QM::Sparse_cholesky<double> solver;
     solver.compute(A);
   });
   std::printf("%-18s %-9s %7zu triangles: from file to file %.2f s, one Cholesky factorization %.3f s, ratio %.1f\n",
