@@ -12,7 +12,7 @@
 // bench_quadrangulate [MESH ...]     default: meshes of CGAL's data folder
 
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>

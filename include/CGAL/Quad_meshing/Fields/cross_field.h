@@ -42,7 +42,7 @@ namespace Quad_meshing {
  * neighboring faces, the field minimizes
  * \f$ E = \sum (\theta_i + \kappa_{ij} + \frac{\pi}{2} p_{ij} - \theta_j)^2 \f$
  * over all angles and all period jumps, as far as that can be done in little time; the minimum
- * decides where the singularities lie \cgalCite{cgal:bzk-miq-09}. Both faces at a constrained edge have a direction along it.
+ * decides where the singularities lie \cgalCite{BZK09}. Both faces at a constrained edge have a direction along it.
  *
  * Between two consecutive constrained edges at a vertex the field turns by a multiple of a right
  * angle, and by at least one: no sector is without a quad, however narrow. The result says so if a sector
