@@ -79,7 +79,7 @@ public:
   /// How the singularities of the field are found. The smoothest fields have the fewest, but their maps are more distorted. If the
   /// map for `REPRESENTATION` is folded over, the one for `POLISHED` is tried as well.
   Cross_field_method cross_field_method = Cross_field_method::REPRESENTATION;
-  Rounding_method rounding_method = GREEDY_ROUNDING; ///< how the integers of the map are chosen
+  Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;          ///< the weight of lengths against directions, in (0, 1]
   bool optimize_structure = false;       ///< whether `optimize_quad_structure()` makes the base complex coarser
   unsigned int number_of_threads = 1;    ///< that may work at the same time; the result does not depend on it
