@@ -133,7 +133,7 @@ guarantee to find such a map: if integers leave no room for one, the result is `
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how integers are chosen}
     \cgalParamType{`Rounding_method`}
-    \cgalParamDefault{`GREEDY_ROUNDING`}
+    \cgalParamDefault{`Rounding_method::GREEDY`}
   \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
     \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1] (thesis, "Anisotropic norm")}
@@ -194,7 +194,8 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   };
 
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
-  const Rounding_method method = choose_parameter(get_parameter(np, internal_np::rounding_method), GREEDY_ROUNDING);
+  const Rounding_method method =
+      choose_parameter(get_parameter(np, internal_np::rounding_method), Rounding_method::GREEDY);
   const double anisotropy = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), 1.);
   const unsigned int threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), 1u);
   const unsigned int stiffening = choose_parameter(get_parameter(np, internal_np::stiffening_iterations), 5u);

@@ -64,8 +64,11 @@ public:
     if(m_system.number_of_variables() == 0)
       return between_given_faces;
     Question<Go_further> question{ go_further };
-    const double bound = solve_mixed_integer(m_system, parameters::rounding_method(LATTICE_ROUNDING).maximum_number_of_nodes(nodes)
-      .number_of_bound_rounds(rounds).visitor(std::ref(question))).lower_bound;
+    const double bound = solve_mixed_integer(m_system, parameters::rounding_method(Rounding_method::LATTICE)
+                                                           .maximum_number_of_nodes(nodes)
+                                                           .number_of_bound_rounds(rounds)
+                                                           .visitor(std::ref(question)))
+                             .lower_bound;
     return between_given_faces + (std::max)(0., bound);
   }
 
