@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/copy_corners.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -117,6 +118,10 @@ extract_quad_mesh(const TriangleMesh& tm,
   typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
   typedef typename boost::property_map<QuadMesh, vertex_point_t>::type Quad_vpm;
   typedef typename boost::property_traits<Quad_vpm>::value_type Quad_point;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::vertex_point_t,
+    internal_np::vertex_index_t, internal_np::face_index_t, internal_np::face_location_map_t, internal_np::visitor_t>::value;
+  static_assert(takes_parameters, "extract_quad_mesh() does not take one of the named parameters.");
 
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;

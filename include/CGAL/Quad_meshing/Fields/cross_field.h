@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -43,7 +44,7 @@ namespace Quad_meshing {
  * neighboring faces, the field minimizes
  * \f$ E = \sum (\theta_i + \kappa_{ij} + \frac{\pi}{2} p_{ij} - \theta_j)^2 \f$
  * over all angles and all period jumps, as far as that can be done in little time; the minimum
- * decides where the singularities lie \cgalCite{cgal:bzk-miq-09}. Both faces at a constrained edge have a direction along it.
+ * decides where the singularities lie \cgalCite{BZK09}. Both faces at a constrained edge have a direction along it.
  *
  * Between two consecutive constrained edges at a vertex the field turns by a multiple of a right
  * angle, and by at least one: no sector is without a quad, however narrow. The result says so if a sector
@@ -157,8 +158,17 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;
 
-  static_assert(internal::is_optional_direction<typename boost::property_traits<Face_direction_map>::value_type>,
-                "The value type of face_direction_map must be an optional vector, such as std::optional<Vector_3>.");
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
+    internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
+    internal_np::target_edge_length_t, internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t,
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  constexpr bool has_direction_map =
+    internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
+  static_assert(has_direction_map, "face_direction_map must give an optional vector for every face of the triangle mesh.");
 
   const Edge_is_constrained_map constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
   const Face_direction_map direction =

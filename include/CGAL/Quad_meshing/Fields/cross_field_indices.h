@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/inspect_field.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -41,6 +42,13 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef Cross_field_report_status Status;
+
+  constexpr bool takes_parameters = Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t,
+    internal_np::align_boundary_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "This function does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
 
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
   const auto constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),

@@ -10,11 +10,11 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
-#include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
 #include <CGAL/Quad_meshing/Fields/internal/curvature_guides.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -84,8 +84,12 @@ salient_directions(const TriangleMesh& tm, double target_edge_length, FaceDirect
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;
 
-  static_assert(internal::is_optional_direction<Optional_direction>,
-                "The value type of the map of directions must be an optional vector, such as std::optional<Vector_3>.");
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::minimum_anisotropy_t,
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+    internal_np::geom_traits_t>::value;
+  static_assert(takes_parameters, "salient_directions() does not take one of the named parameters.");
+  static_assert(internal::Is_optional_like<Optional_direction>::value,
+                "The map of directions must take an optional vector for every face, such as std::optional<Vector_3>.");
 
   Default_visitor default_visitor;
   Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);

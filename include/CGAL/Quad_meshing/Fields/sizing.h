@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -99,6 +100,10 @@ curvature_sizing(const TriangleMesh& tm, double tolerance, double minimum, doubl
 
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::sizing_gradation_t,
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "curvature_sizing() does not take one of the named parameters.");
 
   Default_visitor default_visitor;
   Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);

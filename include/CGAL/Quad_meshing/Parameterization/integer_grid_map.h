@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -95,7 +96,7 @@ guarantee to find such a map: if integers leave no room for one, the result is `
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how integers are chosen}
     \cgalParamType{`Rounding_method`}
-    \cgalParamDefault{`GREEDY_ROUNDING`}
+    \cgalParamDefault{`Rounding_method::GREEDY`}
   \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
     \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1] [Bom12, 8.4, "Anisotropic norm"]}
@@ -143,6 +144,19 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   typedef Integer_grid_map_status Status;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
+    internal_np::target_edge_length_t, internal_np::face_sizing_map_t, internal_np::edge_is_constrained_t,
+    internal_np::align_boundary_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
+    internal_np::stiffening_iterations_t, internal_np::number_of_threads_t, internal_np::visitor_t,
+    internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "integer_grid_map() does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  constexpr bool has_sizing_map =
+    internal::map_parameter_is_readable<internal_np::face_sizing_map_t, NamedParameters, face_descriptor, double>();
+  static_assert(has_sizing_map, "face_sizing_map must give a number for every face of the triangle mesh.");
 
   Real_timer timer;
   timer.start();

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/copy_corners.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -142,6 +143,14 @@ is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParamet
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::align_boundary_t,
+    internal_np::edge_is_constrained_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
+    internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "is_integer_grid_map() does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
 
   CGAL_precondition(is_triangle_mesh(tm));
 

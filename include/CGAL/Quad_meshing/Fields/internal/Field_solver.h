@@ -175,9 +175,9 @@ private:
   {
     switch(m_options.method)
     {
-      case Cross_field_method::DIRECT: return DIRECT_ROUNDING;
-      case Cross_field_method::NAIVE:  return NAIVE_ROUNDING;
-      default:                         return GREEDY_ROUNDING;
+      case Cross_field_method::DIRECT: return Rounding_method::DIRECT;
+      case Cross_field_method::NAIVE:  return Rounding_method::NAIVE;
+      default:                         return Rounding_method::GREEDY;
     }
   }
 

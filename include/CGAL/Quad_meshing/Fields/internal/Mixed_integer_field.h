@@ -62,7 +62,7 @@ public:
     if(m_system.number_of_variables() == 0)
       return between_given_faces;
     Step_visitor visitor(progress);
-    const double bound = solve_mixed_integer(m_system, parameters::rounding_method(LATTICE_ROUNDING)
+    const double bound = solve_mixed_integer(m_system, parameters::rounding_method(Rounding_method::LATTICE)
                                                          .maximum_number_of_nodes(nodes)
                                                          .number_of_bound_rounds(rounds)
                                                          .visitor(std::ref(visitor))).lower_bound;

@@ -10,9 +10,10 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_REPRESENTATION_FIELD_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -166,13 +167,9 @@ private:
     }
     Eigen::SparseMatrix<Complex> a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<Complex>, Eigen::Lower> cholesky;
-    if(n > 0)
-    {
-      cholesky.compute(a);
-      if(cholesky.info() != Eigen::Success)
-        return false;
-    }
+    Sparse_cholesky<Complex> cholesky;
+    if(!cholesky.compute(a))
+      return false;
 
     std::vector<char> is_free(m_problem.anchor.size());
     bool any_free = false;

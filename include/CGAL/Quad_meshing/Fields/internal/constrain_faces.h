@@ -16,20 +16,10 @@
 
 #include <array>
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
-
-// Whether a type is used like an optional vector: it converts to bool, and what it points to has coordinates.
-template <typename T, typename = void>
-constexpr bool is_optional_direction = false;
-
-template <typename T>
-constexpr bool is_optional_direction<T, std::void_t<decltype(static_cast<bool>(std::declval<const T&>())),
-                                                    decltype(to_double(std::declval<const T&>()->x()))> > = true;
 
 // What the default map of directions returns: nothing.
 struct No_direction {};
@@ -44,9 +34,6 @@ struct No_face_direction
 
   friend No_direction get(const No_face_direction&, const key_type&) { return No_direction(); }
 };
-
-template <>
-inline constexpr bool is_optional_direction<No_direction> = true;
 
 inline void constrain_face(Field_problem&, int, No_direction) {}
 

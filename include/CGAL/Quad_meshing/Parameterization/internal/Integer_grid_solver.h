@@ -219,7 +219,7 @@ private:
   const Vertex_sectors m_sectors;
   Map_optimization m_optimization;
   Stage_progress& m_progress;
-  Integer_energy<> m_reduction;
+  Integer_energy m_reduction;
   double m_constant = 0;
   bool m_is_carried = false;
   // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
@@ -254,7 +254,7 @@ private:
         number[i] = static_cast<int>(variables.size());
         variables.push_back(static_cast<int>(i));
       }
-    Sparse_cholesky solver;
+    Sparse_cholesky<double> solver;
     for(unsigned int i = 0; i < iterations && fewest > 0 && m_progress.go_further(); ++i)
     {
       stiffening.update_weights(z);

@@ -41,7 +41,7 @@ struct Grid_map_problem
 
 struct Grid_map_options
 {
-  Rounding_method rounding_method = GREEDY_ROUNDING;
+  Rounding_method rounding_method = Rounding_method::GREEDY;
   double anisotropy_weight = 1;
   unsigned int stiffening_iterations = 5;
   unsigned int number_of_threads = 1;
