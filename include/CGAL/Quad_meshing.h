@@ -14,12 +14,17 @@
 
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/Fields/Cross_field_report.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
+#include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/Face_frames.h>
+#include <CGAL/Quad_meshing/Fields/Feature_edges_result.h>
 #include <CGAL/Quad_meshing/Fields/Field_sectors.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/cross_field_indices.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
@@ -47,6 +52,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
