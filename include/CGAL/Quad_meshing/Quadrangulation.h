@@ -284,12 +284,12 @@ private:
       smooth_quad_mesh(quad_mesh, mesh,
                        parameters::smooth_globally(true)
                          .edge_is_constrained_map(quad_edge_is_feature)
-                         .number_of_iterations(smoothing_iterations)
+                         .smoothing_iterations(smoothing_iterations)
                          .visitor(std::ref(visitor)),
                        parameters::edge_is_constrained_map(is_feature));
     result.folded_quads = smoothing.folded_quads_after;
     result.smoothing_seconds = timer.time();
-    if(smoothing.status == Quad_mesh_smoothing_result::stopped)
+    if(smoothing.status == Quad_mesh_smoothing_status::STOPPED)
     {
       quad_mesh.clear_without_removing_property_maps();
       fail(result, Quadrangulation_result::STOPPED, smoothing.message);
@@ -310,7 +310,7 @@ private:
                               parameters::edge_is_constrained_map(is_feature));
     quad_mesh.collect_garbage();
     result.structure_seconds = timer.time();
-    if(optimization.status == Quad_structure_optimization_result::stopped)
+    if(optimization.status == Structure_optimization_status::STOPPED)
     {
       quad_mesh.clear_without_removing_property_maps();
       fail(result, Quadrangulation_result::STOPPED, optimization.message);
