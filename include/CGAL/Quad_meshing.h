@@ -61,13 +61,17 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
+#include <CGAL/Quad_meshing/Pipeline/copy_components.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/work_on_quad_mesh_copy.h>
+#include <CGAL/Quad_meshing/Structure/Quad_structure_optimization_result.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Default_visitor.h>
