@@ -24,6 +24,8 @@
 //   target_number_of_quads          number        about how many quads there should be; 4000
 //   align_boundary                  bool          whether the border becomes chains of quad edges; true
 //   face_direction_map              property map  face -> optional vector that the cross field follows; none
+//   face_direction_weight_map       property map  face -> weight of that vector, infinite: hard; all hard
+//   curvature_alignment             double        how much quads follow the directions of least curvature, 0 to 1; 1
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
 //   sizing_gradation                double        largest slope of the target edge length; 0.3
 //   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1, from
@@ -100,6 +102,8 @@
   CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
   CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
+  CGAL_add_named_parameter(face_direction_weight_map_t, face_direction_weight_map, face_direction_weight_map)\
+  CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)         \
   CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
   CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \

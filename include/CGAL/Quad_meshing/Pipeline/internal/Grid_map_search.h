@@ -42,9 +42,15 @@ class Grid_map_search
 {
   typedef Quadrangulation_mesh Mesh;
   typedef Quadrangulation_status Status;
-  typedef Mesh::Property_map<Mesh::Face_index, std::optional<Quadrangulation_kernel::Vector_3> > Directions;
 
 public:
+  // The directions that the field should have, and what they weigh.
+  struct Directions
+  {
+    std::vector<std::optional<Quadrangulation_kernel::Vector_3> > direction; // per face
+    std::vector<double> weight; // per face; infinite: hard
+  };
+
   struct Options
   {
     const Quadrangulation_options& quadrangulation;
@@ -206,7 +212,8 @@ private:
                            .edge_is_constrained_map(map_of(boost::edge_index, is_feature))
                            .align_boundary(m_options.quadrangulation.align_boundary)
                            .cross_field_method(method)
-                           .face_direction_map(m_directions)
+                           .face_direction_map(map_of(boost::face_index, m_directions.direction))
+                           .face_direction_weight_map(map_of(boost::face_index, m_directions.weight))
                            .visitor(std::ref(m_visitor)));
     figures.field_seconds += r.seconds;
     if(r.status == Cross_field_status::STOPPED)
