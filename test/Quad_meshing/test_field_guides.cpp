@@ -8,25 +8,26 @@
 
 // What guides fields: salient directions and sizing, on surfaces whose curvatures are known.
 
+#include "stage_checks.h"
 #include "test_meshes.h"
 #include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
 
-#include <boost/optional.hpp>
-
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 
 using namespace test_meshes;
 namespace QM = CGAL::Quad_meshing;
 namespace params = CGAL::parameters;
 typedef Mesh::Face_index Face;
 typedef Mesh::Vertex_index Vertex;
-typedef boost::optional<Vector_3> Direction;
+typedef std::optional<Vector_3> Direction;
+typedef QM::Curvature_guide_status Status;
 
 Point_3 center_of(const Mesh& tm, Face f)
 {
@@ -47,7 +48,7 @@ void test_salient_directions()
       return Point_3(std::cos(t), std::sin(t), p.z());
     }));
     auto direction = tm.add_property_map<Face, Direction>("f:d").first;
-    const int n = QM::salient_directions(tm, 0.3, direction);
+    const int n = QM::salient_directions(tm, 0.3, direction).number_of_faces;
     int found = 0;
     for(Face f : tm.faces())
     {
@@ -66,14 +67,14 @@ void test_salient_directions()
     {
       Mesh tm = make_mesh(s);
       auto direction = tm.add_property_map<Face, Direction>("f:d").first;
-      assert(QM::salient_directions(tm, 0.3, direction) == 0);
+      assert(QM::salient_directions(tm, 0.3, direction).number_of_faces == 0);
     }
   }
   {
     // On a thin torus the tube bends much more than the ring does: directions along the ring.
     Mesh tm = make_mesh(torus(120, 24, 1, 0.15));
     auto direction = tm.add_property_map<Face, Direction>("f:d").first;
-    const int n = QM::salient_directions(tm, 0.1, direction);
+    const int n = QM::salient_directions(tm, 0.1, direction).number_of_faces;
     assert(n > 0.5 * tm.number_of_faces());
     for(Face f : tm.faces())
       if(direction[f])
@@ -84,17 +85,21 @@ void test_salient_directions()
         assert(a > 0.98);
       }
     // A stricter threshold keeps fewer of them.
-    assert(QM::salient_directions(tm, 0.1, direction, params::minimum_anisotropy(0.9)) < n);
+    assert(QM::salient_directions(tm, 0.1, direction, params::minimum_anisotropy(0.9)).number_of_faces < n);
   }
   {
     Mesh tm = make_mesh(grid(2, 2));
     auto direction = tm.add_property_map<Face, Direction>("f:d", Direction(Vector_3(1, 0, 0))).first;
-    assert(QM::salient_directions(tm, 0, direction) == 0);
+    for(double length : { 0., -1., std::nan("") })
+      assert(QM::salient_directions(tm, length, direction).status == Status::INVALID_LENGTH);
+    for(Face f : tm.faces())
+      assert(direction[f]);
+    assert(QM::salient_directions(tm, 0.5, direction).is_valid());
     for(Face f : tm.faces())
       assert(!direction[f]);
     Mesh empty;
     auto none = empty.add_property_map<Face, Direction>("f:d").first;
-    assert(QM::salient_directions(empty, 1, none) == 0);
+    assert(QM::salient_directions(empty, 1, none).is_valid());
   }
 }
 
@@ -146,10 +151,51 @@ void test_sizing()
   }
 }
 
+void test_bad_lengths()
+{
+  Mesh tm = make_mesh(icosphere(2));
+  auto sizing = tm.add_property_map<Face, double>("f:s", 7.).first;
+  assert(QM::curvature_sizing(tm, 0, 0.1, 0.2, sizing).status == Status::INVALID_LENGTH);
+  assert(QM::curvature_sizing(tm, 0.1, 0, 0.2, sizing).status == Status::INVALID_LENGTH);
+  assert(QM::curvature_sizing(tm, 0.1, 0.3, 0.2, sizing).status == Status::INVALID_LENGTH);
+  assert(QM::curvature_sizing(tm, 0.1, std::nan(""), 0.2, sizing).status == Status::INVALID_LENGTH);
+  for(Face f : tm.faces())
+    assert(sizing[f] == 7);
+  for(int s = 0; s <= static_cast<int>(Status::NOT_A_TRIANGLE_MESH); ++s)
+    assert(*status_name(static_cast<Status>(s)) != 0);
+}
+
+void test_stops()
+{
+  Mesh tm = make_mesh(torus(60, 24, 1, 0.15));
+  auto direction = tm.add_property_map<Face, Direction>("f:d").first;
+  auto sizing = tm.add_property_map<Face, double>("f:s").first;
+  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
+  {
+    for(Face f : tm.faces())
+      direction[f] = Vector_3(0, 0, 7);
+    const bool is_done = QM::salient_directions(tm, 0.2, direction, params::visitor(std::ref(visitor))).is_valid();
+    for(Face f : tm.faces())
+      assert(is_done || (direction[f] && *direction[f] == Vector_3(0, 0, 7)));
+    return is_done;
+  });
+  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
+  {
+    for(Face f : tm.faces())
+      sizing[f] = 7;
+    const bool is_done = QM::curvature_sizing(tm, 0.01, 0.01, 1, sizing, params::visitor(std::ref(visitor))).is_valid();
+    for(Face f : tm.faces())
+      assert((sizing[f] == 7) != is_done);
+    return is_done;
+  });
+}
+
 int main(int argc, char** argv)
 {
   return run_cases(argc, argv, {
     { "salient_directions", test_salient_directions },
-    { "sizing", test_sizing }
+    { "sizing", test_sizing },
+    { "bad_lengths", test_bad_lengths },
+    { "stops", test_stops }
   });
 }
