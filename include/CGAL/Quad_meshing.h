@@ -14,12 +14,17 @@
 
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/Fields/Cross_field_report.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
+#include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/Face_frames.h>
+#include <CGAL/Quad_meshing/Fields/Feature_edges_result.h>
 #include <CGAL/Quad_meshing/Fields/Field_sectors.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/cross_field_indices.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
@@ -38,16 +43,25 @@
 #include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Layout/Layout_realization.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_matrix_view.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Pipeline/Grid_map_plan.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
+#include <CGAL/Quad_meshing/Pipeline/copy_components.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
@@ -61,8 +75,6 @@
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Quadrangulation.h>
-#include <CGAL/Quad_meshing/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/parameters.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 

@@ -10,18 +10,32 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Cgal_linear_solver.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Mixed_integer_solver.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <chrono>
+#include <type_traits>
 
 namespace CGAL {
 namespace Quad_meshing {
+namespace internal {
+
+// The way to solve that goes with the type of the named parameter `sparse_linear_solver`.
+template <typename Linear_solver>
+Sparse_cholesky<double> make_linear_solver()
+{
+  if constexpr(std::is_same<Linear_solver, Sparse_cholesky<double> >::value)
+    return Sparse_cholesky<double>();
+  else
+    return custom_sparse_cholesky<Linear_solver>();
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
@@ -43,12 +57,12 @@ exception is thrown and nothing is printed.
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{the way to meet the integer conditions}
     \cgalParamType{`Rounding_method`}
-    \cgalParamDefault{`GREEDY_ROUNDING`, or `BRANCH_AND_BOUND` if there are inequality constraints or bounds}
+    \cgalParamDefault{`Rounding_method::GREEDY`, or `BRANCH_AND_BOUND` if there are inequality constraints or bounds}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of symmetric positive definite systems; only its type matters}
-    \cgalParamType{`Sparse_cholesky` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
-    \cgalParamDefault{`Sparse_cholesky`}
+    \cgalParamType{`Sparse_cholesky<double>` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
+    \cgalParamDefault{`Sparse_cholesky<double>`}
   \cgalParamNEnd
   \cgalParamNBegin{constraint_tolerance}
     \cgalParamDescription{An equality constraint depends on others if, with them, its coefficients cancel up
@@ -95,7 +109,7 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`3e7`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_bound_rounds}
-    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE_ROUNDING` where the
+    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE` where the
                           enumeration has not proven the optimum. A round adds as many inequalities as there are integers; six take some
                           seconds with 100 integers, and each step takes time cubic in them.}
     \cgalParamType{`int`}
@@ -115,12 +129,12 @@ exception is thrown and nothing is printed.
   \cgalParamNBegin{subproblem_selection}
     \cgalParamDescription{the order in which branch-and-bound takes up its subproblems}
     \cgalParamType{`Subproblem_selection`}
-    \cgalParamDefault{`BEST_BOUND`}
+    \cgalParamDefault{`Subproblem_selection::BEST_BOUND`}
   \cgalParamNEnd
   \cgalParamNBegin{branching_rule}
     \cgalParamDescription{the variable on which branch-and-bound splits}
     \cgalParamType{`Branching_rule`}
-    \cgalParamDefault{`PSEUDO_COSTS`}
+    \cgalParamDefault{`Branching_rule::PSEUDO_COSTS`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{told about the progress, and asked whether to go on}
@@ -141,8 +155,7 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
 
   typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t,
                                                        NamedParameters,
-                                                       Sparse_cholesky>::type Solver_parameter;
-  typedef typename internal::Linear_solver_of<Solver_parameter>::type Linear_solver;
+                                                       Sparse_cholesky<double> >::type Linear_solver;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t,
                                                        NamedParameters,
                                                        Default_visitor>::reference Visitor_reference;
@@ -153,7 +166,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
 
   internal::Solver_options options;
   options.method = choose_parameter(get_parameter(np, internal_np::rounding_method),
-                                    problem.has_inequalities() ? BRANCH_AND_BOUND : GREEDY_ROUNDING);
+                                    problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND
+                                                               : Rounding_method::GREEDY);
   options.constraint_tolerance = choose_parameter(get_parameter(np, internal_np::constraint_tolerance),
                                                   options.constraint_tolerance);
   options.rounding_tolerance = choose_parameter(get_parameter(np, internal_np::rounding_tolerance),
@@ -186,7 +200,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
 
   const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   visitor.on_stage_begin("mixed-integer solution");
-  internal::Mixed_integer_solver<Linear_solver> solver(problem, options);
+  const Sparse_cholesky<double> linear_solver = internal::make_linear_solver<Linear_solver>();
+  internal::Mixed_integer_solver solver(problem, options, linear_solver);
   Mixed_integer_solution solution = solver.solve();
   visitor.on_stage_end("mixed-integer solution");
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -11,7 +11,7 @@
 
 #include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/internal/Dual_lines.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
@@ -45,12 +45,16 @@ struct Layout_distortion::Form
     const Cell_matrix cell = cell_matrix();
     for(const Motorcycle_complex::Patch& p : complex.patches)
       add(p, cell, matrix, coupling);
-    Sparse_cholesky::Matrix A(n, n), B(n, arcs);
+    Eigen::SparseMatrix<double> A(n, n), B(n, arcs);
     A.setFromTriplets(matrix.begin(), matrix.end());
     B.setFromTriplets(coupling.begin(), coupling.end());
-    Sparse_cholesky solver;
+    Sparse_cholesky<double> solver;
     if(solver.compute(A))
-      m_form -= solver.product_with_inverse(B);
+    {
+      Eigen::MatrixXd product;
+      solver.product_with_inverse(B, product);
+      m_form -= product;
+    }
     m_form /= m.number_of_faces();
 
     Eigen::VectorXd lengths(arcs);
@@ -128,7 +132,7 @@ private:
       }
     m_sides.resize(row, static_cast<int>(m_complex.arcs.size()));
     m_sides.setFromTriplets(entries.begin(), entries.end());
-    Sparse_cholesky::Matrix squared = m_sides * m_sides.transpose();
+    Eigen::SparseMatrix<double> squared = m_sides * m_sides.transpose();
     for(int i = 0; i < row; ++i)
       squared.coeffRef(i, i) += regularization;
     m_solver.compute(squared);
@@ -265,8 +269,8 @@ private:
   Eigen::MatrixXd m_form;
   Eigen::VectorXd m_form_of_input;                // its product with the lengths of the input
   double m_distortion_of_nothing = 0;             // when all arcs have the length 0
-  Sparse_cholesky::Matrix m_sides;                // the differences of the lengths of opposite sides
-  Sparse_cholesky m_solver;                       // of its square
+  Eigen::SparseMatrix<double> m_sides;                // the differences of the lengths of opposite sides
+  Sparse_cholesky<double> m_solver;                  // of its square
 };
 
 

@@ -32,12 +32,13 @@ namespace Quad_meshing {
 namespace internal {
 
 // The way of every problem: eliminate equality constraints, run the method on what is left, expand.
-template <typename LinearSolver>
 class Mixed_integer_solver
 {
 public:
-  Mixed_integer_solver(const Mixed_integer_problem& problem, const Solver_options& options)
-    : m_problem(problem), m_options(options)
+  // `linear_solver` shows how to solve.
+  Mixed_integer_solver(const Mixed_integer_problem& problem, const Solver_options& options,
+                       const Sparse_cholesky<double>& linear_solver)
+    : m_problem(problem), m_options(options), m_linear_solver(linear_solver)
   {}
 
   Mixed_integer_solution solve()
@@ -47,9 +48,9 @@ public:
     m_A = m_problem.matrix();
     m_b = m_problem.linear_term();
     if(!is_finite())
-      return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "A coefficient is not a finite number.");
-    if(m_problem.has_inequalities() && m_options.method < BRANCH_AND_BOUND)
-      return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE, "A coefficient is not a finite number.");
+    if(m_problem.has_inequalities() && m_options.method < Rounding_method::BRANCH_AND_BOUND)
+      return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
 
     m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance);
@@ -62,11 +63,13 @@ public:
     m_ran = true;
     switch(m_options.method)
     {
-      case RELAXED: run_relaxed(); break;
-      case DIRECT_ROUNDING: m_ran = direct_rounding<LinearSolver>(m_reduced, m_z, m_solution); break;
-      case NAIVE_ROUNDING: m_ran = naive_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options); break;
-      case GREEDY_ROUNDING: run_greedy(); break;
-      case LATTICE_ROUNDING: run_lattice(); break;
+      case Rounding_method::RELAXED: run_relaxed(); break;
+      case Rounding_method::DIRECT: m_ran = direct_rounding(m_linear_solver, m_reduced, m_z, m_solution); break;
+      case Rounding_method::NAIVE:
+        m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options);
+        break;
+      case Rounding_method::GREEDY: run_greedy(); break;
+      case Rounding_method::LATTICE: run_lattice(); break;
       default: return run_search();
     }
     return finish();
@@ -94,7 +97,7 @@ private:
     return m_b.allFinite() && std::isfinite(m_problem.constant());
   }
 
-  Mixed_integer_solution fail(Mixed_integer_solution::Status status, const std::string& message)
+  Mixed_integer_solution fail(Mixed_integer_status status, const std::string& message)
   {
     m_solution.status = status;
     m_solution.message = message;
@@ -103,8 +106,8 @@ private:
 
   void run_relaxed()
   {
-    LinearSolver solver;
-    m_ran = factorize_with_shift(solver, m_reduced.A, m_solution.factorizations);
+    Sparse_cholesky<double> solver = m_linear_solver.make_another();
+    m_ran = factorize_semidefinite(solver, m_reduced.A, m_solution.factorizations);
     if(!m_ran)
       return;
     m_z = solver.solve(m_reduced.b);
@@ -120,18 +123,18 @@ private:
   {
     if(!has_few_integers())
     {
-      m_ran = sparse_greedy_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options);
+      m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options);
       return;
     }
-    Integer_energy<LinearSolver> schur;
+    Integer_energy schur(m_linear_solver);
     if(!keep_integers(schur))
       return;
-    m_z = schur.complete(dense_greedy_rounding(schur.cholesky(), schur.target()));
+    m_z = schur.complete(dense_greedy_rounding(schur.factor(), schur.target()));
     m_solution.dense_roundings = schur.size();
   }
 
   // Reduces the energy to that of some of the free variables. Returns false if it is not convex.
-  bool compute(Integer_energy<LinearSolver>& schur, const std::vector<int>& kept)
+  bool compute(Integer_energy& schur, const std::vector<int>& kept)
   {
     std::vector<bool> is_kept(m_reduced.size(), false);
     for(int v : kept)
@@ -141,7 +144,7 @@ private:
     return is_convex;
   }
 
-  bool keep_integers(Integer_energy<LinearSolver>& schur)
+  bool keep_integers(Integer_energy& schur)
   {
     m_ran = compute(schur, m_reduced.integers);
     if(m_ran)
@@ -167,11 +170,11 @@ private:
       run_greedy();
       return;
     }
-    Integer_energy<LinearSolver> schur;
+    Integer_energy schur(m_linear_solver);
     if(!keep_integers(schur))
       return;
     const std::function<bool()> go_further = limits();
-    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
+    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.factor(), schur.target());
     m_z = schur.complete(greedy);
     if(is_unbounded())
       return;
@@ -189,7 +192,7 @@ private:
   {
     const Bounded_problem bounded = make_bounded_problem(m_problem, m_constraints);
     if(bounded.is_infeasible)
-      return fail(Mixed_integer_solution::INFEASIBLE, "A bound contradicts the other constraints.");
+      return fail(Mixed_integer_status::INFEASIBLE, "A bound contradicts the other constraints.");
     double largest = 0.;
     for(int j = 0; j < m_reduced.A.cols(); ++j)
       for(Eigen::SparseMatrix<double>::InnerIterator it(m_reduced.A, j); it; ++it)
@@ -204,7 +207,7 @@ private:
       is_kept[v] = 1;
     for(int v = 0; v < m_reduced.size(); ++v)
       if(!is_kept[v] && m_reduced.b[v] != 0.)
-        return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+        return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     const std::function<bool()> go_further = limits();
     const Eigen::VectorXd c = -subvector(m_reduced.b, bounded.kept);
     const Linear_master master(bounded, c, m_reduced.constant);
@@ -212,11 +215,12 @@ private:
     if(relaxation.solve())
       m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
     Search_result result;
-    if(m_options.method == CUTTING_PLANES)
+    if(m_options.method == Rounding_method::CUTTING_PLANES)
       result = cutting_planes(master, m_options, go_further);
     else
     {
-      Branch_and_cut search(master, m_options, m_options.method == BRANCH_AND_BOUND ? 0 : cut_rounds, go_further);
+      Branch_and_cut search(master, m_options, m_options.method == Rounding_method::BRANCH_AND_BOUND ? 0 : cut_rounds,
+                            go_further);
       result = search.run(Eigen::VectorXd(), 0.);
     }
     if(result.is_found)
@@ -230,11 +234,11 @@ private:
 
   Mixed_integer_solution search_quadratic(const Bounded_problem& bounded)
   {
-    if(m_options.method == CUTTING_PLANES)
-      return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
+    if(m_options.method == Rounding_method::CUTTING_PLANES)
+      return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Cutting planes alone need a linear objective; outer approximation takes convex ones.");
     // The other variables follow from those that matter to the search.
-    Integer_energy<LinearSolver> schur;
+    Integer_energy schur(m_linear_solver);
     m_ran = compute(schur, bounded.kept);
     if(!m_ran || bounded.size() == 0)
     {
@@ -252,7 +256,7 @@ private:
     double radius = std::numeric_limits<double>::infinity();
     if(!m_problem.has_inequalities())
     {
-      incumbent = dense_greedy_rounding(schur.cholesky(), schur.target());
+      incumbent = dense_greedy_rounding(schur.factor(), schur.target());
       radius = schur.cost(incumbent);
       m_solution.relaxed_energy = constant;
       m_z = schur.complete(incumbent);
@@ -260,7 +264,7 @@ private:
         return finish();
     }
     Search_result result;
-    if(m_options.method == BRANCH_AND_BOUND)
+    if(m_options.method == Rounding_method::BRANCH_AND_BOUND)
     {
       Branch_and_bound search(bounded, schur.matrix(), schur.target(), constant, m_options, go_further);
       if(incumbent.size() == 0)
@@ -273,7 +277,7 @@ private:
       if(incumbent.size() == 0)
         m_solution.relaxed_energy =
           Branch_and_bound(bounded, schur.matrix(), schur.target(), constant, m_options, go_further).relaxed_energy();
-      if(m_options.method == OUTER_APPROXIMATION)
+      if(m_options.method == Rounding_method::OUTER_APPROXIMATION)
         result = outer_approximation(master, m_options, incumbent, constant + radius, go_further);
       else
       {
@@ -291,12 +295,12 @@ private:
     m_solution.nodes = result.nodes;
     m_solution.cuts = result.cuts;
     if(result.is_unbounded)
-      return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+      return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     if(!result.is_found && result.is_complete)
-      return fail(Mixed_integer_solution::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
+      return fail(Mixed_integer_status::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
     m_solution.lower_bound = result.lower_bound;
     if(!result.is_found)
-      return fail(Mixed_integer_solution::LIMIT_REACHED, "A limit was met before a feasible solution was found.");
+      return fail(Mixed_integer_status::LIMIT_REACHED, "A limit was met before a feasible solution was found.");
     m_is_proven = result.is_complete && m_options.relative_gap_tolerance <= proof_tolerance;
     return finish();
   }
@@ -310,14 +314,14 @@ private:
     if(!m_ran)
     {
       if(!m_options.go_further(1.))
-        return fail(Mixed_integer_solution::LIMIT_REACHED, "The visitor asked to stop.");
-      return fail(Mixed_integer_solution::NUMERICAL_FAILURE,
+        return fail(Mixed_integer_status::LIMIT_REACHED, "The visitor asked to stop.");
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE,
                   "A factorization failed: the energy is not convex where the constraints hold.");
     }
     if(!m_z.allFinite())
-      return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "The linear system is numerically singular.");
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE, "The linear system is numerically singular.");
     if(is_unbounded())
-      return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+      return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     expand();
 
     const double epsilon = 1e-10; // keeps the gap finite for zero energies
@@ -331,23 +335,23 @@ private:
 
     if(!m_solution.conflicting_constraints.empty())
     {
-      m_solution.status = Mixed_integer_solution::CONFLICTING_CONSTRAINTS;
+      m_solution.status = Mixed_integer_status::CONFLICTING_CONSTRAINTS;
       m_solution.message = std::to_string(m_solution.conflicting_constraints.size())
         + " constraints contradict the others or the integer conditions and were ignored.";
     }
-    else if(m_options.method != RELAXED && !m_solution.all_integers_satisfied)
+    else if(m_options.method != Rounding_method::RELAXED && !m_solution.all_integers_satisfied)
     {
-      m_solution.status = Mixed_integer_solution::INFEASIBLE;
+      m_solution.status = Mixed_integer_status::INFEASIBLE;
       m_solution.message = "A constraint with real coefficients leaves an integer variable no integer value.";
     }
     else if(m_is_proven || m_solution.gap <= m_options.relative_gap_tolerance)
     {
-      m_solution.status = Mixed_integer_solution::OPTIMAL;
+      m_solution.status = Mixed_integer_status::OPTIMAL;
       m_solution.message = "The energy is minimal.";
     }
     else
     {
-      m_solution.status = Mixed_integer_solution::FEASIBLE;
+      m_solution.status = Mixed_integer_status::FEASIBLE;
       m_solution.message = "All conditions hold; the energy is not proven minimal.";
     }
     return m_solution;
@@ -360,8 +364,8 @@ private:
     const double far_away = 1e5, relative_residual = 1e-6;
     if(m_problem.has_inequalities() || m_z.size() == 0 || !(m_z.cwiseAbs().maxCoeff() > far_away))
       return false;
-    LinearSolver solver;
-    if(!factorize_with_shift(solver, m_reduced.A, m_solution.factorizations))
+    Sparse_cholesky<double> solver = m_linear_solver.make_another();
+    if(!factorize_semidefinite(solver, m_reduced.A, m_solution.factorizations))
       return false;
     const Eigen::VectorXd residual = m_reduced.A * solver.solve(m_reduced.b) - m_reduced.b;
     return residual.cwiseAbs().maxCoeff() > relative_residual * m_reduced.b.cwiseAbs().maxCoeff();
@@ -382,7 +386,8 @@ private:
         continue;
       double& v = m_solution.x[i];
       const double rounded = std::floor(v + 0.5) + 0.; // no negative zeros
-      if(m_options.method != RELAXED && std::fabs(v - rounded) <= round_off * (std::max)(1., std::fabs(v)))
+      if(m_options.method != Rounding_method::RELAXED &&
+         std::fabs(v - rounded) <= round_off * (std::max)(1., std::fabs(v)))
         v = rounded;
       m_solution.all_integers_satisfied = m_solution.all_integers_satisfied && v == rounded;
     }
@@ -391,6 +396,7 @@ private:
 
   const Mixed_integer_problem& m_problem;
   const Solver_options& m_options;
+  const Sparse_cholesky<double>& m_linear_solver;
   Eigen::SparseMatrix<double> m_A;
   Eigen::VectorXd m_b;
   Eliminated_constraints m_constraints;

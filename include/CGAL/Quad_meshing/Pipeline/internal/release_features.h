@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_INTERNAL_RELEASE_FEATURES_H
-#define CGAL_QUAD_MESHING_INTERNAL_RELEASE_FEATURES_H
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RELEASE_FEATURES_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RELEASE_FEATURES_H
 
 #include <CGAL/number_utils.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -75,4 +75,4 @@ double release_features(const TriangleMesh& tm, VertexPointMap vpm, const FaceRa
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_INTERNAL_RELEASE_FEATURES_H
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RELEASE_FEATURES_H

@@ -6,13 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_INTERNAL_LOCATE_ON_INPUT_H
-#define CGAL_QUAD_MESHING_INTERNAL_LOCATE_ON_INPUT_H
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_LOCATE_ON_INPUT_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_LOCATE_ON_INPUT_H
 
-#include <CGAL/Quad_meshing/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -31,7 +30,8 @@ class Input_locator
 public:
   typedef Quadrangulation::Mesh Mesh;
   typedef Quadrangulation::Kernel::Point_3 Point_3;
-  typedef Polygon_mesh_processing::Face_location<TriangleMesh, double> Location;
+  // as Polygon_mesh_processing::Face_location<TriangleMesh, double>
+  typedef std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3> > Location;
 
   template <typename VertexPointMap>
   Input_locator(const TriangleMesh& tm, VertexPointMap vpm, const Quadrangulation& q)
@@ -54,9 +54,12 @@ public:
 
   Location operator()(Mesh::Vertex_index v) const
   {
-    const Quadrangulation::Location& location = q.location[v];
-    const Point_3 p = Polygon_mesh_processing::construct_point(location, q.mesh);
-    const std::size_t i = q.origin[location.first];
+    const Quadrangulation::Location& location = q.quads().location[v];
+    const Mesh& mesh = q.surface().mesh;
+    const Mesh::Halfedge_index h = mesh.halfedge(location.first);
+    const Point_3 p = CGAL::barycenter(mesh.point(mesh.source(h)), location.second[0], mesh.point(mesh.target(h)), location.second[1],
+                                       mesh.point(mesh.target(mesh.next(h))), location.second[2]);
+    const std::size_t i = q.surface().origin[location.first];
     return Location(input_faces[i], weights(p, points[i]));
   }
 
@@ -96,4 +99,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_INTERNAL_LOCATE_ON_INPUT_H
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_LOCATE_ON_INPUT_H

@@ -6,8 +6,10 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SUPERNODAL_FACTOR_H
-#define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SUPERNODAL_FACTOR_H
+#ifndef CGAL_QUAD_MESHING_LINEAR_ALGEBRA_INTERNAL_SUPERNODAL_FACTOR_H
+#define CGAL_QUAD_MESHING_LINEAR_ALGEBRA_INTERNAL_SUPERNODAL_FACTOR_H
+
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -19,17 +21,18 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A view of a Cholesky factor, P A P' = L L', by supernodes: runs of columns with one pattern, as dense blocks.
+// A view of a Cholesky factor, P A P' = L L*, by supernodes: runs of columns with one pattern, as dense blocks.
 //
 // Supernode k has the columns super[k], ..., super[k+1]-1. Its rows are rows[row_begin[k]], ...,
 // rows[row_begin[k+1]-1], ascending; the first of them are its columns. Its block is stored column by column.
 // Row i of L is row permutation[i] of A.
+template <typename Number>
 struct Supernodal_factor
 {
   std::vector<int> permutation, super, row_begin, rows;
   std::vector<std::size_t> block_begin;
-  const double* blocks = nullptr;
-  std::vector<double> storage; // of the blocks, unless they belong to someone else
+  const Number* blocks = nullptr;
+  std::vector<Number> storage; // of the blocks, unless they belong to someone else
 
   int size() const { return static_cast<int>(permutation.size()); }
   int number_of_supernodes() const { return static_cast<int>(super.size()) - 1; }
@@ -37,8 +40,8 @@ struct Supernodal_factor
   // Builds the blocks from L column by column, whose entries of column j are `begin[j]` to `end[j]`, ascending and
   // the diagonal first, and are multiplied with `scale[j]`.
   template <typename Index>
-  void assign(int n, const Index* begin, const Index* end, const Index* indices, const double* values,
-              const double* scale)
+  void assign(int n, const Index* begin, const Index* end, const Index* indices, const Number* values,
+              const Number* scale)
   {
     super.assign(1, 0);
     for(int j = 1; j <= n; ++j)
@@ -59,46 +62,69 @@ struct Supernodal_factor
       row_begin.push_back(static_cast<int>(rows.size()));
       block_begin.push_back(block_begin.back() + std::size_t(end[first] - begin[first]) * columns);
     }
-    storage.assign(block_begin.back(), 0.);
+    storage.assign(block_begin.back(), Number(0));
     for(int k = 0; k + 1 < static_cast<int>(super.size()); ++k)
     {
       const int first = super[k], height = row_begin[k + 1] - row_begin[k];
       for(int j = first; j < super[k + 1]; ++j)
       {
-        double* const column = storage.data() + block_begin[k] + std::size_t(j - first) * height;
+        Number* const column = storage.data() + block_begin[k] + std::size_t(j - first) * height;
         for(Index p = begin[j]; p < end[j]; ++p)
           column[(j - first) + (p - begin[j])] = values[p] * scale[j];
       }
     }
     blocks = storage.data();
   }
+
+  // The columns one by one.
+  Cholesky_factor<Number> columns() const
+  {
+    Cholesky_factor<Number> result;
+    result.permutation = permutation;
+    result.column_begin.assign(1, 0);
+    for(int k = 0; k < number_of_supernodes(); ++k)
+    {
+      const int height = row_begin[k + 1] - row_begin[k];
+      for(int j = 0; j < super[k + 1] - super[k]; ++j)
+      {
+        const Number* const column = blocks + block_begin[k] + std::size_t(j) * height;
+        result.row.insert(result.row.end(), rows.begin() + row_begin[k] + j, rows.begin() + row_begin[k + 1]);
+        result.value.insert(result.value.end(), column + j, column + height);
+        result.column_begin.push_back(result.row.size());
+      }
+    }
+    return result;
+  }
 };
 
-// Computes B' A^-1 B for a sparse B with the factor of A, as Y'Y with Y = L^-1 P B.
+// Computes B* A^-1 B for a sparse B with the factor of A, as Y*Y with Y = L^-1 P B.
 //
 // Only what B reaches is touched: the supernodes that hold its rows and their ancestors in the elimination tree,
 // and in each of them only the columns of B that reach it.
+template <typename Number>
 class Supernodal_product
 {
+  typedef Eigen::SparseMatrix<Number> Matrix;
+  typedef Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> Dense_matrix;
+  typedef Eigen::Map<const Dense_matrix> Block;
+
 public:
-  Supernodal_product(const Supernodal_factor& factor, const Eigen::SparseMatrix<double>& B)
+  Supernodal_product(const Supernodal_factor<Number>& factor, const Matrix& B)
     : m_factor(factor), m_B(B)
   {}
 
-  Eigen::MatrixXd run()
+  Dense_matrix run()
   {
     find_reach();
-    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(m_B.cols(), m_B.cols());
+    Dense_matrix product = Dense_matrix::Zero(m_B.cols(), m_B.cols());
     for(int k = 0; k < m_factor.number_of_supernodes(); ++k)
       if(!m_columns[k].empty())
         process(k, product);
-    product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+    product.template triangularView<Eigen::StrictlyUpper>() = product.adjoint();
     return product;
   }
 
 private:
-  typedef Eigen::Map<const Eigen::MatrixXd> Block;
-
   void find_reach()
   {
     const int n = m_factor.size(), count = m_factor.number_of_supernodes();
@@ -111,7 +137,7 @@ private:
 
     m_columns.assign(count, std::vector<int>());
     for(int j = 0; j < m_B.cols(); ++j)
-      for(Eigen::SparseMatrix<double>::InnerIterator it(m_B, j); it; ++it)
+      for(typename Matrix::InnerIterator it(m_B, j); it; ++it)
       {
         // A column that was here before was at all the ancestors, too.
         int k = m_supernode_of[row_of[it.row()]];
@@ -123,9 +149,9 @@ private:
       }
     m_values.resize(count);
     for(int k = 0; k < count; ++k)
-      m_values[k] = Eigen::MatrixXd::Zero(m_columns[k].empty() ? 0 : width(k), m_columns[k].size());
+      m_values[k] = Dense_matrix::Zero(m_columns[k].empty() ? 0 : width(k), m_columns[k].size());
     for(int j = 0; j < m_B.cols(); ++j)
-      for(Eigen::SparseMatrix<double>::InnerIterator it(m_B, j); it; ++it)
+      for(typename Matrix::InnerIterator it(m_B, j); it; ++it)
       {
         const int row = row_of[it.row()], k = m_supernode_of[row];
         m_values[k](row - m_factor.super[k], position(k, j)) = it.value();
@@ -145,17 +171,17 @@ private:
     return static_cast<int>(std::lower_bound(m_columns[k].begin(), m_columns[k].end(), column) - m_columns[k].begin());
   }
 
-  void process(int k, Eigen::MatrixXd& product)
+  void process(int k, Dense_matrix& product)
   {
     const int w = width(k), h = height(k);
     const std::vector<int>& columns = m_columns[k];
     const int count = static_cast<int>(columns.size());
     const Block block(m_factor.blocks + m_factor.block_begin[k], h, w);
-    Eigen::MatrixXd& Y = m_values[k];
-    block.topRows(w).triangularView<Eigen::Lower>().solveInPlace(Y);
+    Dense_matrix& Y = m_values[k];
+    block.topRows(w).template triangularView<Eigen::Lower>().solveInPlace(Y);
 
     m_gram.resize(count, count);
-    m_gram.noalias() = Y.transpose() * Y;
+    m_gram.noalias() = Y.adjoint() * Y;
     for(int a = 0; a < count; ++a)
       for(int b = a; b < count; ++b)
         product(columns[b], columns[a]) += m_gram(b, a);
@@ -187,12 +213,12 @@ private:
     Y.resize(0, 0);
   }
 
-  const Supernodal_factor& m_factor;
-  const Eigen::SparseMatrix<double>& m_B;
+  const Supernodal_factor<Number>& m_factor;
+  const Matrix& m_B;
   std::vector<int> m_supernode_of;
   std::vector<std::vector<int> > m_columns; // of B that reach a supernode, ascending
-  std::vector<Eigen::MatrixXd> m_values;    // the rows of Y of a supernode, for these columns
-  Eigen::MatrixXd m_gram, m_update;
+  std::vector<Dense_matrix> m_values;    // the rows of Y of a supernode, for these columns
+  Dense_matrix m_gram, m_update;
   std::vector<int> m_positions;
 };
 
@@ -200,4 +226,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SUPERNODAL_FACTOR_H
+#endif // CGAL_QUAD_MESHING_LINEAR_ALGEBRA_INTERNAL_SUPERNODAL_FACTOR_H
