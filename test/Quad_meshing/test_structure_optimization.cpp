@@ -15,9 +15,20 @@
 #include "test_cases.h"
 #include "visitor_checks.h"
 
+#include <CGAL/Quad_meshing/Layout/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -601,8 +612,8 @@ void test_other_graph_and_bad_input()
 // A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves on.
 void test_stop()
 {
-  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 20)), 60, 3));
-  const Mesh reference = SM::triangulated(SM::refined(irregular(), 20));
+  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 10)), 20, 3));
+  const Mesh reference = SM::triangulated(SM::refined(irregular(), 10));
   for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
   {
     std::cout << "  " << input.number_of_faces() << " quads, method " << int(method) << std::endl;
@@ -626,7 +637,7 @@ void test_stop()
 // The search ends when its time is up, with a mesh of the same topology that is as good as the input at least, and says so.
 void test_time_limit()
 {
-  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 20)), 60, 3));
+  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 10)), 20, 3));
   const QM::Quad_mesh_structure before = QM::quad_mesh_structure(input);
   for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
     for(double limit : { 0., 0.5, 2., 1e6 })
