@@ -162,9 +162,8 @@ private:
   // The edges near the folded triangles of an attempt; returns their length.
   double release(const Grid_map_attempt& attempt, double radius, std::vector<char>& is_feature) const
   {
-    return release_features(m_surface.mesh, m_surface.mesh.points(),
-                            attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding, radius,
-                            map_of(boost::edge_index, is_feature));
+    return release_features(m_surface.mesh, attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding,
+                            radius, map_of(boost::edge_index, is_feature));
   }
 
   // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there is hardly one
