@@ -29,7 +29,7 @@ class Watched_visitor
 
 public:
   // Seconds after which the progress moves by itself, and the part of what is left that it moves by.
-  static constexpr double longest_rest = 0.2, part_of_rest = 0.02;
+  static constexpr double longest_rest = 0.05, part_of_rest = 0.005;
 
   // `maximum_running_time` is in seconds from now on.
   explicit Watched_visitor(Any_visitor& visitor,

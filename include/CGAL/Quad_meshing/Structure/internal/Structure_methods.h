@@ -39,16 +39,18 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
                            : options.collapse_dual_curves ? 1 : quads;
   const int attempts = static_cast<int>(options.layouts);
-  auto go_further = [&] { return visitor.go_further(); };
-  auto progress = [&](double p) { visitor.progress(p); };
+  if(!visitor.go_further())
+    return;
   Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
-  layout.search(attempts, go_further, progress);
+  if(!visitor.go_further())
+    return;
+  layout.search(attempts, visitor);
 
   Structure_state best, candidate;
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
   bool is_done = false;
-  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, go_further); )
+  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, visitor); )
   {
     quads_tried += candidate.mesh.corners.size();
     const Structure_optimizer::Score score = Structure_optimizer::score_of(candidate.mesh);
@@ -64,7 +66,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
     if(++tried == layouts_per_search && !is_done)
     {
       const bool any = least_price < Layout_cost::forbidden;
-      is_done = !layout.search_again(attempts, !any, go_further, progress) && any;
+      is_done = !layout.search_again(attempts, !any, visitor) && any;
       tried = 0;
     }
   }
