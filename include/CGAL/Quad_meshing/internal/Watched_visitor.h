@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 
-#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <string>
@@ -46,10 +45,12 @@ public:
 
   void on_stage_end(const std::string& name) override { m_visitor.on_stage_end(name); }
 
-  // It never goes back.
+  // It never goes back; what has moved by itself waits for the work to catch up.
   void progress(double completed) override
   {
-    m_completed = (std::max)(m_completed, completed);
+    if(!(completed > m_completed))
+      return;
+    m_completed = completed;
     m_last_progress = Clock::now();
     m_visitor.progress(m_completed);
   }

@@ -64,6 +64,11 @@ public:
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
     m_search.reset(new Layout_search(m_input.mesh, m_structure, m_goals, *m_quantization, m_bends, m_input.is_fixed,
                                      visitor));
+    if(!visitor.go_further())
+    {
+      m_search.reset();     // its system is not complete
+      return;
+    }
     // what is compared in the end: not more quads for more helices
     m_goals.neglect_loss();
     const double quads_per_irregular_vertex =

@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Watched_visitor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,6 +36,8 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   // How many layouts are realized and smoothed after each search, and how many quads all of them have together at most.
   constexpr int layouts_per_search = 4;
   constexpr std::size_t most_quads = 400000;
+  // The part of the running time that a first search may take, so that some is left for its layouts.
+  constexpr double search_share = 0.5;
   const std::size_t quads = optimizer.state.mesh.corners.size();
   const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
                            : options.collapse_dual_curves ? 1 : quads;
@@ -44,7 +47,8 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
   if(!visitor.go_further())
     return;
-  layout.search(attempts, visitor);
+  Watched_visitor searching(visitor, search_share * options.maximum_running_time);
+  layout.search(attempts, searching);
 
   Structure_state best, candidate;
   double least_price = Layout_cost::forbidden;
