@@ -219,7 +219,7 @@ private:
       smooth_quad_mesh(quads->mesh, m_surface.mesh,
                        parameters::smooth_globally(true)
                          .edge_is_constrained_map(quads->is_feature)
-                         .number_of_iterations(m_options.smoothing_iterations)
+                         .smoothing_iterations(m_options.smoothing_iterations)
                          .visitor(std::ref(m_visitor)),
                        parameters::edge_is_constrained_map(m_surface.is_feature));
     result.smoothing_seconds = timer.time();
