@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
-#include <CGAL/Quad_meshing/Pipeline/internal/locate_on_input.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -234,9 +233,12 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
     {
       auto locations = get_parameter(np, internal_np::face_location_map);
-      const internal::Input_locator<TriangleMesh> locate(tm, vpm, q);
+      const std::vector<face_descriptor> input_faces(faces(tm).begin(), faces(tm).end());
       for(const auto& c : copies)
-        put(locations, c.second, locate(c.first));
+      {
+        const auto location = q.location_on_input(c.first);
+        put(locations, c.second, std::make_pair(input_faces[location.first], location.second));
+      }
     }
   }
   return result;

@@ -55,7 +55,7 @@ public:
   // directions: per face of the input, or empty
   Component_quadrangulation(Quadrangulation_surface& surface, const Component_request& request,
                             const std::vector<std::optional<Quadrangulation_kernel::Vector_3> >& directions,
-                            const Quadrangulation_options& options, Watched_visitor& visitor)
+                            const Quadrangulation_options& options, Pipeline_visitor& visitor)
     : m_surface(surface), m_request(request), m_directions(directions), m_options(options), m_visitor(visitor)
     , m_topology(surface_topology(surface.mesh))
   {}
@@ -294,7 +294,7 @@ private:
   const Component_request m_request;
   const std::vector<std::optional<Quadrangulation_kernel::Vector_3> >& m_directions;
   const Quadrangulation_options& m_options;
-  Watched_visitor& m_visitor;
+  Pipeline_visitor& m_visitor;
   const std::vector<Component_topology> m_topology;
 };
 

@@ -15,7 +15,7 @@
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
-#include <CGAL/Quad_meshing/Pipeline/internal/Watched_visitor.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Pipeline_visitor.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -61,7 +61,7 @@ public:
   };
 
   Grid_map_search(const Quadrangulation_surface& surface, const Directions& directions, const Options& options,
-                  Watched_visitor& visitor)
+                  Pipeline_visitor& visitor)
     : m_surface(surface), m_directions(directions), m_options(options), m_visitor(visitor)
   {}
 
@@ -312,7 +312,7 @@ private:
   const Quadrangulation_surface& m_surface;
   const Directions& m_directions;
   const Options m_options;
-  Watched_visitor& m_visitor;
+  Pipeline_visitor& m_visitor;
 };
 
 } // namespace internal

@@ -324,7 +324,7 @@ private:
 
   const Triangle_input& m_input;
   const Quadrangulation_options& m_options;
-  Watched_visitor m_visitor;
+  Pipeline_visitor m_visitor;
   Quadrangulation_result m_result;
   std::vector<std::unique_ptr<Quadrangulation_surface> > m_surfaces;
   std::vector<Component_request> m_requests;
