@@ -76,6 +76,7 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
 }
 
 // Sharp edges of a quad mesh are those of its quads, cut in two. Returns how many were taken for noise.
+template <typename SharpEdges>
 std::size_t detect_sharp_edges(const Mesh& qm, double sharp_angle, double edge_length, SharpEdges is_sharp)
 {
   Mesh triangles = qm; // its vertices keep their numbers

@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <vector>
 
