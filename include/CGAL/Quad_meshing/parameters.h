@@ -35,7 +35,7 @@
 //   cross_field_method              Cross_field_method  how period jumps are found; POLISHED
 //   anisotropy_weight               double        weight of the length of quads against their direction, in (0, 1]; 1
 //   stiffening_iterations           unsigned int  how often the energy may be weighted anew where triangles are
-//                                                 distorted, as long as there are folded ones; 0
+//                                                 distorted, as long as there are folded ones; 5
 //   number_of_threads               unsigned int  how many threads may work at the same time, results do not depend on
 //                                                 it; 1
 //   face_location_map               property map  receives quad vertex -> its place on the input mesh; none
