@@ -522,7 +522,7 @@ void test_close_pairs()
     I::Field_problem problem(m);
     problem.find_components();
     problem.sectors = I::make_field_sectors(m, problem.aligned);
-    const I::Dual_laplacian laplacian(problem);
+    const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
     I::Any_visitor visitor;
     Result result;
@@ -578,7 +578,7 @@ void test_close_pairs()
     problem.constrain_faces_to_aligned_edges();
     problem.find_components();
     problem.sectors = I::make_field_sectors(m, problem.aligned);
-    const I::Dual_laplacian laplacian(problem);
+    const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
     assert(I::Representation_field(problem, m.number_of_faces(), true, silent.progress)(field.angle));
     I::round_jumps(problem, field);
@@ -667,13 +667,13 @@ void test_annihilation()
   I::Field_problem problem(m);
   problem.find_components();
   problem.sectors = I::make_field_sectors(m, problem.aligned);
-  I::Dual_laplacian laplacian(problem);
+  stage_checks::Silent_progress silent;
+  I::Dual_laplacian laplacian(problem, silent.progress);
   I::Cross_field field;
   I::Any_visitor visitor;
   Result result;
   assert(I::solve_field(problem, I::Field_options(), visitor, field, result) == Status::SUCCESS);
   const std::vector<double> no_costs(m.number_of_vertices(), 0.);
-  stage_checks::Silent_progress silent;
   for(int steps : { 2, 7, 10 })
   {
     // The pair and the path between them.
@@ -717,6 +717,7 @@ void test_annihilation()
 // given directions, several components.
 void test_sector_potentials()
 {
+  stage_checks::Silent_progress silent;
   namespace I = CGAL::Quad_meshing::internal;
   std::cout << "sector potentials" << std::endl;
   struct Case { Soup soup; bool is_aligned; int every; }; // of the faces, every so many-th is given
@@ -737,7 +738,7 @@ void test_sector_potentials()
       problem.constrained[f] = 1;
     problem.find_components();
     problem.sectors = I::make_field_sectors(m, problem.aligned);
-    const I::Dual_laplacian laplacian(problem);
+    const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Sector_potentials potentials(problem, laplacian);
     assert(potentials.is_small() && potentials.compute());
     for(int i = 0; i < potentials.number_of_edges(); ++i)
@@ -757,6 +758,7 @@ void test_sector_potentials()
 // On small meshes the search ends at about the same energy whatever the order of the faces is, far below greedy rounding.
 void test_small_meshes()
 {
+  stage_checks::Silent_progress silent;
   std::cout << "small meshes" << std::endl;
   for(const Soup& shape : { perturbed(icosphere(3), 0.07), perturbed(torus(28, 14), 0.05), perturbed(double_ring(3), 0.07) })
   {
@@ -791,7 +793,7 @@ void test_small_meshes()
   I::Field_problem problem(m);
   problem.find_components();
   problem.sectors = I::make_field_sectors(m, problem.aligned);
-  const I::Dual_laplacian laplacian(problem);
+  const I::Dual_laplacian laplacian(problem, silent.progress);
   I::Cross_field field;
   field.angle.assign(m.number_of_faces(), 0.);
   I::round_jumps(problem, field);
@@ -802,7 +804,7 @@ void test_small_meshes()
   {
     const double energy = problem.energy(field);
     I::Jump_annealing anneal(problem, laplacian);
-    assert(anneal.is_affordable() && anneal(field, quads, [] { return true; }));
+    assert(anneal.is_affordable() && anneal(field, quads, silent.progress));
     assert(problem.energy(field) < (i == 0 ? 0.5 * energy : energy + 1e-9));
     assert(quads.state() == I::Sector_quads(problem, field, no_costs, 0.).state());
   }

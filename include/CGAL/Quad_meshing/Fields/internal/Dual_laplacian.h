@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/internal/run_aside.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,7 +49,8 @@ struct Sparse_vector
 class Dual_laplacian
 {
 public:
-  explicit Dual_laplacian(const Field_problem& problem)
+  // Not valid if the visitor stops it.
+  Dual_laplacian(const Field_problem& problem, Stage_progress& progress)
     : m_problem(problem)
   {
     m_row.assign(problem.mesh.number_of_faces(), -1);
@@ -79,15 +82,22 @@ public:
       if(m_row[f] != -1 && problem.soft_weight[f] > 0)
         entries.emplace_back(m_row[f], m_row[f], problem.soft_weight[f]);
 
-    Eigen::SparseMatrix<double> a(n, n);
-    a.setFromTriplets(entries.begin(), entries.end());
-    if(m_cholesky.compute(a))
-      m_factor = m_cholesky.factor();
-    m_row_of_factor.resize(n);
-    if(m_factor)
-      for(int i = 0; i < n; ++i)
-        m_row_of_factor[m_factor->permutation[i]] = i;
+    const auto data = std::make_shared<Factorization>();
+    data->matrix.resize(n, n);
+    data->matrix.setFromTriplets(entries.begin(), entries.end());
+    const bool is_done = run_aside(n, progress, data, [](Factorization& f)
+    {
+      if(f.cholesky.compute(f.matrix))
+        f.factor = f.cholesky.factor();
+    });
     m_work.assign(n, 0.);
+    if(!is_done || !data->factor)
+      return;
+    m_cholesky = std::move(data->cholesky);
+    m_factor = std::move(data->factor);
+    m_row_of_factor.resize(n);
+    for(int i = 0; i < n; ++i)
+      m_row_of_factor[m_factor->permutation[i]] = i;
   }
 
   bool is_valid() const { return m_factor != nullptr; }
@@ -179,6 +189,13 @@ public:
   }
 
 private:
+  struct Factorization
+  {
+    Eigen::SparseMatrix<double> matrix;
+    Sparse_cholesky<double> cholesky;
+    std::unique_ptr<Cholesky_factor<double> > factor;
+  };
+
   const Field_problem& m_problem;
   std::vector<int> m_row;                              // per face: its row in A, -1 if its angle is given
   Sparse_cholesky<double> m_cholesky;

@@ -59,7 +59,7 @@ class Field_solver
 public:
   Field_solver(const Field_problem& problem, const Field_options& options, Stage_progress& progress)
     : m_problem(problem), m_options(options), m_progress(progress)
-    , m_laplacian(problem)
+    , m_laplacian(problem, progress)
     , m_polish(problem, m_laplacian, progress)
     , m_costs(singularity_costs(problem, options.target_edge_length))
   {}

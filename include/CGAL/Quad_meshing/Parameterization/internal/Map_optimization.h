@@ -76,9 +76,13 @@ public:
     // a determinant below this share of the ideal one is worth a repair, though not folded
     const double least_determinant = 1e-2;
     std::vector<int> bad = faces_below(x, least_determinant);
+    if(!m_progress.go_further())
+      return false;
     std::size_t folded = folded_faces(x).size();
     for(int rings : { 3, 6, 12 })
     {
+      if(!m_progress.go_further())
+        return false;
       if(bad.empty())
         return true;
       if(rings > most_rings)
