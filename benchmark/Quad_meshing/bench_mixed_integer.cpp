@@ -43,7 +43,7 @@ double factorization_seconds(const Problem& problem)
   Eigen::SparseMatrix<double> A = problem.matrix();
   for(int i = 0; i < A.cols(); ++i)
     A.coeffRef(i, i) *= 1. + 1e-9; // fields and maps alone are fixed up to a constant
-  QM::Sparse_cholesky cholesky;
+  QM::Sparse_cholesky<double> cholesky;
   CGAL::Real_timer timer;
   timer.start();
   cholesky.compute(A);

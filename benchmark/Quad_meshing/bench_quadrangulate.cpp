@@ -15,7 +15,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
-#include <CGAL/Quad_meshing/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
@@ -44,7 +44,7 @@ double seconds(Work work)
 }
 
 // The parametrization's problem as the line poses it, before any separation is demanded.
-QM::Mixed_integer_problem parametrization_problem(const Quadrangulation& q, double length)
+QM::Mixed_integer_problem parametrization_problem(const QM::Quadrangulation_surface& q, double length)
 {
   const QM::internal::Indexed_triangle_mesh mesh = QM::internal::make_indexed_triangle_mesh(
     q.mesh, q.mesh.points(), get(boost::vertex_index, q.mesh), get(boost::face_index, q.mesh));
@@ -81,10 +81,9 @@ void bench(const std::string& filename)
     if(!QM::read_triangle_mesh(filename, tm))
       return;
     q = std::make_unique<Quadrangulation>(tm, tm.points());
-    QM::Default_visitor visitor;
-    r = q->run([](std::size_t) { return boost::optional<Quadrangulation::Kernel::Vector_3>(); }, visitor);
+    r = q->run();
     std::ofstream out(file);
-    CGAL::IO::write_OBJ(out, q->quad_mesh, CGAL::parameters::stream_precision(17));
+    CGAL::IO::write_OBJ(out, q->quads().mesh, CGAL::parameters::stream_precision(17));
   });
   std::filesystem::remove(file);
   const std::string name = filename.substr(filename.find_last_of('/') + 1);
@@ -93,11 +92,11 @@ void bench(const std::string& filename)
     std::printf("%s: cannot be read\n", name.c_str());
     return;
   }
-  const QM::Mixed_integer_problem problem = parametrization_problem(*q, r.target_edge_length);
+  const QM::Mixed_integer_problem problem = parametrization_problem(q->surface(), r.target_edge_length);
   const Eigen::SparseMatrix<double> A = problem.matrix();
   const double cholesky = seconds([&]
   {
-    QM::Sparse_cholesky solver;
+    QM::Sparse_cholesky<double> solver;
     solver.compute(A);
   });
   std::printf("%-18s %-9s %7zu triangles: from file to file %.2f s, one Cholesky factorization %.3f s, ratio %.1f\n",

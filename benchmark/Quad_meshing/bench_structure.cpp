@@ -14,10 +14,10 @@
 
 #include "structure_meshes.h"
 
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
-#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 

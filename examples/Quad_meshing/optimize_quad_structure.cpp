@@ -11,9 +11,9 @@
 #include "command_line.h"
 
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_segment_primitive.h>

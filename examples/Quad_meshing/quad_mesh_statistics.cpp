@@ -11,10 +11,10 @@
 
 #include "command_line.h"
 
-#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_deviation.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>

@@ -11,9 +11,7 @@
 #include "command_line.h"
 
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
-#include <CGAL/Quad_meshing/Quadrangulation.h>
-
-#include <boost/optional.hpp>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 
 #include <cstddef>
 #include <iostream>
@@ -23,12 +21,11 @@ namespace QM = CGAL::Quad_meshing;
 
 typedef QM::Quadrangulation Quadrangulation;
 typedef Quadrangulation::Mesh Mesh;
-typedef Quadrangulation::Kernel::Vector_3 Vector_3;
 
 namespace {
 
 // One line per triangle: its centroid and the first direction of the cross there.
-void write_field(const std::string& filename, const Quadrangulation& q)
+void write_field(const std::string& filename, const QM::Quadrangulation_surface& q)
 {
   std::ofstream out = command_line::open_output(filename);
   for(Mesh::Face_index f : q.mesh.faces())
@@ -41,7 +38,7 @@ void write_field(const std::string& filename, const Quadrangulation& q)
 }
 
 // The triangles with the integer-grid map as texture coordinates, three for each triangle.
-void write_map(const std::string& filename, const Quadrangulation& q)
+void write_map(const std::string& filename, const QM::Quadrangulation_surface& q)
 {
   std::ofstream out = command_line::open_output(filename);
   for(Mesh::Vertex_index v : q.mesh.vertices())
@@ -67,6 +64,9 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
   json.set("message", r.message);
   json.set("input_faces", r.input_faces);
   json.set("components", r.components);
+  json.set("failed_components", r.failed_components);
+  json.set("refined_components", r.refined_components);
+  json.set("divided_vertices", r.divided_vertices);
   json.set("target_edge_length", r.target_edge_length);
   json.set("feature_edges", r.feature_edges);
   json.set("dropped_feature_edges", r.dropped_feature_edges);
@@ -112,6 +112,7 @@ int main(int argc, char* argv[])
       ("seed", po::value<unsigned int>()->default_value(0),
        "seed of the edge lengths that are tried when the given one allows no valid map")
       ("threads", po::value<unsigned int>()->default_value(1), "how many threads may work at the same time; the result is the same")
+      ("time-limit", po::value<double>(), "seconds after which the best mesh so far is written")
       ("save-field", po::value<std::string>(), "file for the cross field: x y z of a centroid and of a direction per line")
       ("save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")
       ("json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
@@ -139,32 +140,35 @@ int main(int argc, char* argv[])
         command_line::check_output(args.value<std::string>(file));
 
     Quadrangulation q(tm, tm.points());
-    q.target_edge_length = edge_length;
-    q.target_number_of_quads = number_of_quads;
-    q.sharpness_angle = sharp_angle;
-    q.align_boundary = align_boundary;
-    q.cross_field_method = field;
-    q.rounding_method = rounding;
-    q.optimize_structure = args.has("optimize-structure");
-    q.number_of_threads = args.value<unsigned int>("threads");
-    q.random_seed = args.value<unsigned int>("seed");
+    q.options.target_edge_length = edge_length;
+    q.options.target_number_of_quads = number_of_quads;
+    q.options.sharpness_angle = sharp_angle;
+    q.options.align_boundary = align_boundary;
+    q.options.cross_field_method = field;
+    q.options.rounding_method = rounding;
+    q.options.optimize_structure = args.has("optimize-structure");
+    q.options.number_of_threads = args.value<unsigned int>("threads");
+    q.options.random_seed = args.value<unsigned int>("seed");
+
+    if(args.has("time-limit"))
+      q.options.maximum_running_time = args.positive_number("time-limit");
 
     QM::Quadrangulation_result result;
     {
       command_line::Progress_bar progress;
-      result = q.run([](std::size_t) { return boost::optional<Vector_3>(); }, progress);
+      result = q.run(progress);
     }
 
     if(args.has("json"))
       command_line::write_json(args.value<std::string>("json"), figures(result));
-    if(result.status == QM::Quadrangulation_result::INVALID_INPUT)
+    if(result.status == QM::Quadrangulation_status::INVALID_INPUT)
       throw command_line::Unusable_input(args.positional(0) + ": " + result.message);
     if(args.has("save-field"))
-      write_field(args.value<std::string>("save-field"), q);
+      write_field(args.value<std::string>("save-field"), q.surface());
     if(args.has("save-uv"))
-      write_map(args.value<std::string>("save-uv"), q);
-    if(q.quad_mesh.number_of_faces() > 0)
-      command_line::write_mesh(args.positional(1), q.quad_mesh);
+      write_map(args.value<std::string>("save-uv"), q.surface());
+    if(q.quads().mesh.number_of_faces() > 0)
+      command_line::write_mesh(args.positional(1), q.quads().mesh);
 
     std::cout << result.message << "\n" << result.quads << " quads, " << result.irregular_vertices
               << " irregular vertices, " << result.total_seconds << " s" << std::endl;

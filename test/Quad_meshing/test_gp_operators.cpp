@@ -13,9 +13,9 @@
 #include "structure_meshes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>

@@ -785,7 +785,7 @@ void test_integer_energy(CGAL::Random& random)
       is_integer.push_back(problem.is_integer(i));
     const Eigen::SparseMatrix<double> A = problem.matrix();
     const Eigen::VectorXd b = problem.linear_term();
-    QM::Integer_energy<> energy, factorized;
+    QM::Integer_energy energy, factorized;
     assert(energy.compute(A, b, is_integer) && factorized.factorize(A, b, is_integer));
     assert(energy.size() == problem.number_of_integers());
     assert(energy.integers().size() + energy.reals().size() == is_integer.size());
@@ -810,49 +810,6 @@ void test_integer_energy(CGAL::Random& random)
     assert(is_close(reduced.energy + problem.constant(), solution.energy));
     assert(is_close(reduced.relaxed_energy + problem.constant(), solution.relaxed_energy));
   }
-}
-
-void test_sparse_cholesky(CGAL::Random& random)
-{
-  const int n = 80, m = 7;
-  Eigen::SparseMatrix<double> A(n, n), B(n, m);
-  std::vector<Eigen::Triplet<double> > triplets;
-  for(int i = 0; i < n; ++i)
-    triplets.emplace_back(i, i, 9.);
-  for(int k = 0; k < 2 * n; ++k)
-  {
-    const int i = random.get_int(0, n), j = random.get_int(0, n);
-    const double v = uniform(random, -0.5, 0.5);
-    if(i != j)
-    {
-      triplets.emplace_back(i, j, v);
-      triplets.emplace_back(j, i, v);
-    }
-  }
-  A.setFromTriplets(triplets.begin(), triplets.end());
-  triplets.clear();
-  for(int k = 0; k < 20; ++k)
-    triplets.emplace_back(random.get_int(0, n), random.get_int(0, m), 1.);
-  B.setFromTriplets(triplets.begin(), triplets.end());
-
-  QM::Sparse_cholesky solver;
-  assert(solver.compute(A) && solver.ok());
-  const Eigen::MatrixXd X = solver.solve(Eigen::MatrixXd(B));
-  assert((A * X - Eigen::MatrixXd(B)).cwiseAbs().maxCoeff() < 1e-12);
-  const Eigen::MatrixXd product = B.transpose() * X;
-  assert((solver.product_with_inverse(B) - product).cwiseAbs().maxCoeff() < 1e-12);
-
-  // Only the lower triangle is read; the pattern may be used again.
-  Eigen::SparseMatrix<double> lower = A.triangularView<Eigen::Lower>();
-  lower *= 2.;
-  QM::Sparse_cholesky half;
-  half.analyze(lower);
-  assert(half.factorize(lower));
-  assert((2. * half.solve(Eigen::MatrixXd(B)) - X).cwiseAbs().maxCoeff() < 1e-12);
-
-  A.coeffRef(3, 3) = -1.;
-  assert(!solver.compute(A) && !solver.ok());
-  assert(QM::Sparse_cholesky().compute(Eigen::SparseMatrix<double>(0, 0)));
 }
 
 void test_special_cases()
@@ -1040,8 +997,6 @@ int main()
 {
   CGAL::Random random(7);
   std::cout << "random seed " << random.get_seed() << std::endl;
-  std::cout << "sparse Cholesky" << std::endl;
-  test_sparse_cholesky(random);
   std::cout << "elimination" << std::endl;
   test_elimination();
   std::cout << "Matrix Market" << std::endl;

@@ -10,14 +10,26 @@
 
 #undef NDEBUG
 #include "quad_mesh_checks.h"
+#include "test_cases.h"
 #include "test_meshes.h"
 
+#include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Surface_components.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/algorithm.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -25,6 +37,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +49,7 @@ typedef test_meshes::Mesh Mesh;
 typedef test_meshes::Kernel Kernel;
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
 typedef QM::Quadrangulation_result Result;
+typedef QM::Quadrangulation_status Status;
 
 namespace {
 
@@ -101,7 +115,7 @@ void test_locations()
     Mesh qm;
     auto location = qm.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
     const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(300.)
-                                                 .number_of_relaxation_steps(steps).face_location_map(location));
+                                                 .smoothing_iterations(steps).face_location_map(location));
     assert(r.is_valid());
     for(Mesh::Vertex_index v : qm.vertices())
     {
@@ -134,7 +148,7 @@ void test_directions_and_features_of_the_user()
     direction[f] = Kernel::Vector_3(1, 1, 0);
   Mesh qm;
   const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(400.).align_boundary(false)
-                                               .face_direction_map(direction).number_of_relaxation_steps(0u));
+                                               .face_direction_map(direction).smoothing_iterations(0u));
   std::cout << "diagonal directions: " << r.message << std::endl;
   for(Mesh::Edge_index e : qm.edges())
   {
@@ -288,7 +302,7 @@ void test_grid_too_coarse()
     return r;
   };
   const Result coarse = run(around / 1.9);
-  assert(coarse.status == Result::NOT_VALID && !coarse.message.empty());
+  assert(coarse.status == Status::NOT_VALID && !coarse.message.empty());
   assert(coarse.parameterization_attempts == 3);
   const Result finer = run(around / 2.4);
   assert(finer.is_valid() && finer.target_edge_length < around / 2.4 && finer.target_edge_length > 0.89 * around / 2.4);
@@ -303,22 +317,218 @@ void test_too_many_singularities()
     const Result r = QM::quadrangulate(test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(4), 0.1)), qm,
                                        parameters::sharpness_angle(angle));
     std::cout << "noise: " << r.message << std::endl;
-    assert(r.status == Result::FAILED && qm.is_empty() && r.singularities > 1200 && r.parameterization_attempts == 0);
+    assert(r.status == Status::FAILED && qm.is_empty() && r.singularities > 1200 && r.parameterization_attempts == 0);
     assert(r.released_feature_share == (r.feature_edges > 0 ? 1 : 0));
     assert(r.message.find("singularities") != std::string::npos);
   }
 }
 
+void test_topologies()
+{
+  quads_of(test_meshes::make_mesh(test_meshes::torus(40, 20)), 600, "torus");
+  quads_of(test_meshes::make_mesh(test_meshes::double_ring(3)), 800, "two rings");
+  quads_of(test_meshes::make_mesh(test_meshes::two_components(5, 3)), 700, "two components");
+  quads_of(test_meshes::make_mesh(test_meshes::cylinder(24, 8, false)), 400, "open cylinder");
+}
+
+bool are_equal(const Mesh& a, const Mesh& b)
+{
+  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for(Mesh::Vertex_index v : a.vertices())
+    if(a.point(v) != b.point(v))
+      return false;
+  for(Mesh::Halfedge_index h : a.halfedges())
+    if(a.target(h) != b.target(h))
+      return false;
+  return true;
+}
+
+// A second run starts anew, also with other options.
+void test_second_run()
+{
+  const Mesh tm = test_meshes::make_mesh(test_meshes::cube(5));
+  QM::Quadrangulation q(tm, tm.points());
+  q.options.target_number_of_quads = 300;
+  const Result first = q.run();
+  const Mesh quads = q.quads().mesh;
+  const Result second = q.run();
+  assert(first.is_valid() && second.is_valid() && first.quads == second.quads);
+  assert(are_equal(quads, q.quads().mesh));
+  q.options.target_number_of_quads = 600;
+  assert(q.run().is_valid() && q.quads().mesh.number_of_faces() > 450);
+  QM::Quadrangulation fresh(tm, tm.points());
+  fresh.options.target_number_of_quads = 600;
+  assert(fresh.run().is_valid() && are_equal(fresh.quads().mesh, q.quads().mesh));
+}
+
+// Numbers of vertices and faces, and which corner of a face comes first, have no influence: not on one bit.
+void test_renumbering()
+{
+  CGAL::Random random(1);
+  std::cout << "seed " << random.get_seed() << std::endl;
+  for(const test_meshes::Soup& soup : { test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1), test_meshes::l_prism(4),
+                                        test_meshes::grid_with_hole(9, 9, 3, 5, 3, 6) })
+  {
+    test_meshes::Soup other;
+    std::vector<std::size_t> order(soup.points.size());
+    std::iota(order.begin(), order.end(), 0);
+    CGAL::cpp98::random_shuffle(order.begin(), order.end(), random);
+    other.points.resize(soup.points.size());
+    for(std::size_t i = 0; i < order.size(); ++i)
+      other.points[order[i]] = soup.points[i];
+    other.triangles = soup.triangles;
+    CGAL::cpp98::random_shuffle(other.triangles.begin(), other.triangles.end(), random);
+    for(auto& t : other.triangles)
+    {
+      for(auto& v : t)
+        v = order[v];
+      std::rotate(t.begin(), t.begin() + random.get_int(0, 3), t.end());
+    }
+    const Mesh a = quads_of(test_meshes::make_mesh(soup), 500, "numbered"), b = quads_of(test_meshes::make_mesh(other), 500, "renumbered");
+    assert(are_equal(a, b));
+  }
+}
+
+// The steps of the smoothing count with and without the optimization of the structure.
+void test_smoothing_iterations()
+{
+  const Mesh tm = test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1));
+  for(bool optimized : { false, true })
+  {
+    Mesh raw, smooth, default_steps;
+    const auto np = parameters::target_number_of_quads(400.).optimize_structure(optimized);
+    assert(QM::quadrangulate(tm, raw, np.smoothing_iterations(0u)).is_valid());
+    assert(QM::quadrangulate(tm, smooth, np.smoothing_iterations(20u)).is_valid());
+    assert(QM::quadrangulate(tm, default_steps, np).is_valid());
+    assert(!are_equal(raw, smooth) && are_equal(smooth, default_steps));
+  }
+}
+
+// Two holes that share a vertex: CGAL's meshes carry that, and each hole gets a vertex of its own in the quad mesh.
+void test_borders_that_touch()
+{
+  Mesh tm = test_meshes::make_mesh(test_meshes::icosphere(3));
+  const Mesh::Vertex_index v(7);
+  std::vector<Mesh::Face_index> fan;
+  for(Mesh::Face_index f : CGAL::faces_around_target(tm.halfedge(v), tm))
+    fan.push_back(f);
+  CGAL::Euler::remove_face(tm.halfedge(fan[0]), tm);
+  CGAL::Euler::remove_face(tm.halfedge(fan[fan.size() / 2]), tm);
+  Mesh qm;
+  const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(600.));
+  std::cout << "holes that touch: " << r.message << std::endl;
+  assert(r.is_valid() && r.divided_vertices == 1 && r.message.find("divided") != std::string::npos);
+  const auto figures = quad_mesh_checks::figures(qm);
+  assert(figures.is_valid() && figures.border_loops == 2 && figures.euler() == 0);
+  Polyhedron polyhedron;
+  CGAL::copy_face_graph(tm, polyhedron);
+  Mesh of_polyhedron;
+  assert(QM::quadrangulate(polyhedron, of_polyhedron, parameters::target_number_of_quads(600.)).is_valid());
+  assert(are_equal(qm, of_polyhedron));
+}
+
+// A graph may join two vertices by two edges; triangles given by their corners say no more which sides belong together.
+void test_double_edges()
+{
+  QM::internal::Triangle_input input;
+  for(int i = 0; i < 6; ++i)
+    input.points.emplace_back(i, i * i, i * i * i);
+  input.triangles = { {{ 4, 1, 0 }}, {{ 1, 4, 2 }}, {{ 4, 1, 3 }}, {{ 1, 4, 5 }} };
+  const std::string error = QM::internal::Surface_components(input).error;
+  std::cout << error << std::endl;
+  assert(error.find("1") != std::string::npos && error.find("4") != std::string::npos);
+  input.triangles = { {{ 4, 1, 0 }}, {{ 4, 1, 3 }} };
+  assert(QM::internal::Surface_components(input).error.find("orientation") != std::string::npos);
+  input.triangles = { {{ 4, 4, 0 }} };
+  assert(!QM::internal::Surface_components(input).error.empty());
+  input.triangles = { {{ 4, 1, 0 }}, {{ 1, 4, 2 }} };
+  assert(QM::internal::Surface_components(input).error.empty());
+}
+
+// Each component is on its own: one without a mesh does not cost the others theirs, and the message names it.
+void test_components()
+{
+  const test_meshes::Soup noise = test_meshes::perturbed(test_meshes::icosphere(4), 0.1);
+  const test_meshes::Soup ball = test_meshes::translated(test_meshes::icosphere(3), Kernel::Vector_3(5, 0, 0));
+  const Mesh alone = test_meshes::make_mesh(ball);
+  for(unsigned int threads : { 1u, 3u })
+  {
+    Mesh qm;
+    const Result r = QM::quadrangulate(test_meshes::make_mesh(test_meshes::joined(noise, ball)), qm,
+                                       parameters::target_number_of_quads(4000.).number_of_threads(threads));
+    std::cout << "noise and a ball: " << r.message << std::endl;
+    assert(r.status == Status::NOT_VALID && r.components == 2 && r.failed_components == 1);
+    assert(r.message.find("face 0") != std::string::npos && r.message.find("singularities") != std::string::npos);
+    const auto figures = quad_mesh_checks::figures(qm);
+    assert(figures.is_valid() && figures.components == 1 && figures.euler() == 2);
+  }
+
+  // A ball and, far away, one of a tenth of its size, too small for such quads: it gets smaller ones.
+  const test_meshes::Soup small = test_meshes::mapped(ball, [](const Kernel::Point_3& p)
+    { return Kernel::Point_3(10 + p.x() / 30, p.y() / 30, p.z() / 30); });
+  Mesh one, two, alone_quads;
+  auto location = two.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
+  const Mesh both = test_meshes::make_mesh(test_meshes::joined(ball, small));
+  const Result r1 = QM::quadrangulate(both, one, parameters::target_edge_length(0.2));
+  const Result r2 = QM::quadrangulate(both, two, parameters::target_edge_length(0.2).number_of_threads(2u).face_location_map(location));
+  std::cout << "two balls: " << r1.message << std::endl;
+  assert(r1.is_valid() && r1.components == 2 && r1.refined_components == 1 && r1.message.find("smaller quads") != std::string::npos);
+  assert(r2.is_valid() && are_equal(one, two));
+  assert(QM::quadrangulate(alone, alone_quads, parameters::target_edge_length(0.2)).is_valid());
+  for(Mesh::Vertex_index v : alone_quads.vertices()) // the first component is what it is alone
+    assert(one.point(v) == alone_quads.point(v));
+  for(Mesh::Vertex_index v : two.vertices())
+    assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], both), two.point(v)) < 1e-12);
+}
+
+// Stops when it is asked for the n-th time.
+struct Stops_after : QM::Default_visitor
+{
+  int left;
+  explicit Stops_after(int n) : left(n) {}
+  bool go_further() { return left-- > 0; }
+};
+
+// Wherever the visitor stops the work, nothing is left behind.
+void test_stops()
+{
+  const Mesh tm = test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1));
+  int asked = 0;
+  for(int n = 0; ; n += 1 + n / 3)
+  {
+    Mesh qm;
+    Stops_after stops(n);
+    const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(300.).visitor(std::ref(stops)));
+    if(r.is_valid())
+      break;
+    assert(r.status == Status::STOPPED && qm.number_of_vertices() == 0 && !r.message.empty());
+    ++asked;
+  }
+  assert(asked > 3);
+}
+
+void test_time_limit()
+{
+  const Mesh tm = test_meshes::make_mesh(test_meshes::icosphere(4));
+  Mesh none, some;
+  const Result r = QM::quadrangulate(tm, none, parameters::target_number_of_quads(4000.).maximum_running_time(1e-9));
+  std::cout << "no time: " << r.message << std::endl;
+  assert(r.status == Status::OUT_OF_TIME && none.number_of_faces() == 0);
+  assert(QM::quadrangulate(tm, some, parameters::target_number_of_quads(400.).maximum_running_time(1000.)).is_valid());
+  assert(QM::quadrangulate(tm, some, parameters::maximum_running_time(0.)).status == Status::INVALID_INPUT);
+}
+
 void test_bad_input_and_stops()
 {
   Mesh empty, qm;
-  assert(QM::quadrangulate(empty, qm).status == Result::INVALID_INPUT);
+  assert(QM::quadrangulate(empty, qm).status == Status::INVALID_INPUT);
   Mesh tm = test_meshes::make_mesh(test_meshes::cube(3));
   for(double length : { -1., 100., 1e-9, std::nan("") })
-    assert(QM::quadrangulate(tm, qm, parameters::target_edge_length(length)).status == Result::INVALID_INPUT);
-  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(0.)).status == Result::INVALID_INPUT);
+    assert(QM::quadrangulate(tm, qm, parameters::target_edge_length(length)).status == Status::INVALID_INPUT);
+  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(0.)).status == Status::INVALID_INPUT);
   Stops_at_once stops;
-  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(stops))).status == Result::STOPPED);
+  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(stops))).status == Status::STOPPED);
   assert(qm.number_of_faces() == 0);
   Counts_stages counts;
   assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(counts))).is_valid());
@@ -326,7 +536,11 @@ void test_bad_input_and_stops()
   Mesh nan = tm;
   nan.point(*nan.vertices().begin()) = Kernel::Point_3(std::nan(""), 0, 0);
   Mesh none;
-  assert(QM::quadrangulate(nan, none).status == Result::INVALID_INPUT && none.number_of_faces() == 0);
+  assert(QM::quadrangulate(nan, none).status == Status::INVALID_INPUT && none.number_of_faces() == 0);
+  Mesh same = tm;
+  assert(QM::quadrangulate(same, same).status == Status::INVALID_INPUT && same.number_of_faces() == tm.number_of_faces());
+  const Result many = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(1e9));
+  assert(many.status == Status::INVALID_INPUT && many.message.find("quads are asked for") != std::string::npos);
 }
 
 void test_real_mesh()
@@ -344,25 +558,30 @@ void test_real_mesh()
 
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
-  test_features();
-  test_border();
-  quads_of(test_meshes::make_mesh(test_meshes::torus(40, 20)), 600, "torus");
-  quads_of(test_meshes::make_mesh(test_meshes::double_ring(3)), 800, "two rings");
-  quads_of(test_meshes::make_mesh(test_meshes::two_components(5, 3)), 700, "two components");
-  quads_of(test_meshes::make_mesh(test_meshes::cylinder(24, 8, false)), 400, "open cylinder");
-  test_locations();
-  test_invariance();
-  test_directions_and_features_of_the_user();
-  test_optimized_structure();
-  test_release_near_a_face();
-  test_released_features();
-  test_gaps();
-  test_grid_too_coarse();
-  test_too_many_singularities();
-  test_bad_input_and_stops();
-  test_real_mesh();
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "features", test_features },
+    { "border", test_border },
+    { "topologies", test_topologies },
+    { "locations", test_locations },
+    { "invariance", test_invariance },
+    { "renumbering", test_renumbering },
+    { "second_run", test_second_run },
+    { "directions_and_features_of_the_user", test_directions_and_features_of_the_user },
+    { "optimized_structure", test_optimized_structure },
+    { "smoothing_iterations", test_smoothing_iterations },
+    { "release_near_a_face", test_release_near_a_face },
+    { "released_features", test_released_features },
+    { "gaps", test_gaps },
+    { "borders_that_touch", test_borders_that_touch },
+    { "double_edges", test_double_edges },
+    { "components", test_components },
+    { "grid_too_coarse", test_grid_too_coarse },
+    { "too_many_singularities", test_too_many_singularities },
+    { "stops", test_stops },
+    { "time_limit", test_time_limit },
+    { "bad_input_and_stops", test_bad_input_and_stops },
+    { "real_mesh", test_real_mesh }
+  });
 }

@@ -11,11 +11,11 @@
 
 #include "structure_meshes.h"
 
-#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_deviation.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
-#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>

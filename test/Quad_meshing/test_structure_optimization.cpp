@@ -13,9 +13,9 @@
 #include "quad_mesh_checks.h"
 #include "structure_meshes.h"
 
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_defects.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>

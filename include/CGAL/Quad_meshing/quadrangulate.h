@@ -10,21 +10,19 @@
 #define CGAL_QUAD_MESHING_QUADRANGULATE_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Quadrangulation.h>
-#include <CGAL/Quad_meshing/Quadrangulation_result.h>
-#include <CGAL/Quad_meshing/internal/locate_on_input.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/locate_on_input.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/optional.hpp>
 
-#include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,16 +44,19 @@ is one, is delivered all the same.
 
 If the first map is folded over, others are tried: for a slightly different length, for another field. If the grid is too coarse for the
 surface, finer ones are. Where sharp edges leave no room for a map without fold-overs, those nearby are released: the quads need not follow them there. The
-message says what part of their length that is. Edges that `edge_is_constrained_map` marks are never released.
+message says what part of their length that is. Edges that `edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is tried.
 
-The result depends on nothing but the input and the parameters.
+Each component is quadrangulated by itself. If some have no valid mesh, `qm` holds all others, and the message names those by
+their faces. A vertex in which borders touch is divided: each border has one of its own in `qm`.
+
+The result depends on nothing but the surface and the parameters: not on the numbers of vertices and faces.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam QuadMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh: any manifold with or without border, with any number of components
-\param qm receives the quad mesh; it should be empty
+\param qm receives the quad mesh, besides what it holds already; another object than `tm`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -88,7 +89,7 @@ The result depends on nothing but the input and the parameters.
   \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{directions that the quad edges should have}
-    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `boost::optional<Vector_3>` as value type}
+    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `std::optional<Vector_3>`, or an optional vector of another library, as value type}
     \cgalParamDefault{no direction is given}
   \cgalParamNEnd
   \cgalParamNBegin{cross_field_method}
@@ -107,9 +108,9 @@ The result depends on nothing but the input and the parameters.
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
-  \cgalParamNBegin{number_of_relaxation_steps}
+  \cgalParamNBegin{smoothing_iterations}
     \cgalParamDescription{the largest number of steps of the final smoothing, in which all vertices move at once
-                          (`smooth_globally` of `smooth_quad_mesh()`); 0 leaves the vertices where the map puts them}
+                          (`smooth_globally` of `smooth_quad_mesh()`), or of that of `optimize_structure`; 0 smooths nothing}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{20}
   \cgalParamNEnd
@@ -128,6 +129,12 @@ The result depends on nothing but the input and the parameters.
     \cgalParamDescription{the seed of the edge lengths that are tried when the map for the given one is not valid}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{the time in seconds after which the best mesh so far is the result, if there is one; the message says so}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit}
+    \cgalParamExtra{with a limit, the result may depend on the speed of the machine}
   \cgalParamNEnd
   \cgalParamNBegin{face_location_map}
     \cgalParamDescription{receives for every vertex of `qm` where it lies on `tm`}
@@ -160,57 +167,70 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   using parameters::get_parameter_reference;
   using parameters::is_default_parameter;
 
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  typedef boost::optional<Quadrangulation::Kernel::Vector_3> Direction;
-
-  CGAL_precondition(is_triangle_mesh(tm));
-
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
-  auto stages = [&]()
-  {
-    if constexpr(is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
-      return Quadrangulation(tm, vpm);
-    else
-      return Quadrangulation(tm, vpm, get_parameter(np, internal_np::edge_is_constrained));
-  };
-  Quadrangulation q = stages();
-  q.target_edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length), q.target_edge_length);
-  q.target_number_of_quads =
-    choose_parameter(get_parameter(np, internal_np::target_number_of_quads), q.target_number_of_quads);
-  q.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), q.sharpness_angle);
-  q.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), q.align_boundary);
-  q.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), q.cross_field_method);
-  q.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), q.rounding_method);
-  q.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), q.anisotropy_weight);
-  q.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), q.optimize_structure);
-  q.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), q.number_of_threads);
-  q.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), q.random_seed);
-  q.smoothing_iterations =
-    choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), q.smoothing_iterations);
-
-  std::vector<Direction> directions;
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_map_t>::value)
-    for(face_descriptor f : faces(tm))
-    {
-      const auto d = get(get_parameter(np, internal_np::face_direction_map), f);
-      directions.push_back(d ? Direction(Quadrangulation::Kernel::Vector_3(to_double(d->x()), to_double(d->y()), to_double(d->z())))
-                             : Direction());
-    }
-  const Quadrangulation_result result =
-    q.run([&](std::size_t i) { return directions.empty() ? Direction() : directions[i]; }, visitor);
-
   typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
-  std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor> > copies;
-  copy_face_graph(q.quad_mesh, qm, parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
+    internal_np::target_number_of_quads_t, internal_np::target_edge_length_t, internal_np::sharpness_angle_t,
+    internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
+    internal_np::cross_field_method_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
+    internal_np::smoothing_iterations_t, internal_np::optimize_structure_t, internal_np::number_of_threads_t,
+    internal_np::random_seed_t, internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
+    internal_np::vertex_point_t>::value;
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  constexpr bool has_direction_map =
+    internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  static_assert(has_direction_map, "face_direction_map must give an optional vector for every face of the triangle mesh.");
+
+  Quadrangulation_result result;
+  if constexpr(takes_parameters && has_edge_map && has_direction_map)
   {
-    auto locations = get_parameter(np, internal_np::face_location_map);
-    const internal::Input_locator<TriangleMesh> locate(tm, vpm, q);
-    for(const auto& c : copies)
-      put(locations, c.second, locate(c.first));
+    CGAL_precondition(is_triangle_mesh(tm));
+
+    if constexpr(std::is_same<TriangleMesh, QuadMesh>::value)
+      if(&tm == &qm)
+      {
+        result.status = Quadrangulation_status::INVALID_INPUT;
+        result.message = "The triangle mesh and the quad mesh are the same object.";
+        return result;
+      }
+
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+    Default_visitor default_visitor;
+    auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+    Quadrangulation q(tm, vpm);
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
+      q.set_feature_edges(tm, get_parameter(np, internal_np::edge_is_constrained));
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_map_t>::value)
+      q.set_directions(tm, get_parameter(np, internal_np::face_direction_map));
+    Quadrangulation_options& o = q.options;
+    o.target_edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length), o.target_edge_length);
+    o.target_number_of_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), o.target_number_of_quads);
+    o.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), o.sharpness_angle);
+    o.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), o.align_boundary);
+    o.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), o.cross_field_method);
+    o.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), o.rounding_method);
+    o.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), o.anisotropy_weight);
+    o.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), o.optimize_structure);
+    o.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), o.number_of_threads);
+    o.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), o.random_seed);
+    o.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations), o.smoothing_iterations);
+    o.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time), o.maximum_running_time);
+    result = q.run(visitor);
+
+    std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor> > copies;
+    copy_face_graph(q.quads().mesh, qm, parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
+    {
+      auto locations = get_parameter(np, internal_np::face_location_map);
+      const internal::Input_locator<TriangleMesh> locate(tm, vpm, q);
+      for(const auto& c : copies)
+        put(locations, c.second, locate(c.first));
+    }
   }
   return result;
 }

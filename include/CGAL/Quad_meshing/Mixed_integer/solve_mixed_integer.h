@@ -10,18 +10,32 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Cgal_linear_solver.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Mixed_integer_solver.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <chrono>
+#include <type_traits>
 
 namespace CGAL {
 namespace Quad_meshing {
+namespace internal {
+
+// The way to solve that goes with the type of the named parameter `sparse_linear_solver`.
+template <typename Linear_solver>
+Sparse_cholesky<double> make_linear_solver()
+{
+  if constexpr(std::is_same<Linear_solver, Sparse_cholesky<double> >::value)
+    return Sparse_cholesky<double>();
+  else
+    return custom_sparse_cholesky<Linear_solver>();
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
@@ -47,8 +61,8 @@ exception is thrown and nothing is printed.
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of symmetric positive definite systems; only its type matters}
-    \cgalParamType{`Sparse_cholesky` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
-    \cgalParamDefault{`Sparse_cholesky`}
+    \cgalParamType{`Sparse_cholesky<double>` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
+    \cgalParamDefault{`Sparse_cholesky<double>`}
   \cgalParamNEnd
   \cgalParamNBegin{constraint_tolerance}
     \cgalParamDescription{An equality constraint depends on others if, with them, its coefficients cancel up
@@ -141,8 +155,7 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
 
   typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t,
                                                        NamedParameters,
-                                                       Sparse_cholesky>::type Solver_parameter;
-  typedef typename internal::Linear_solver_of<Solver_parameter>::type Linear_solver;
+                                                       Sparse_cholesky<double> >::type Linear_solver;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t,
                                                        NamedParameters,
                                                        Default_visitor>::reference Visitor_reference;
@@ -186,7 +199,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
 
   const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   visitor.on_stage_begin("mixed-integer solution");
-  internal::Mixed_integer_solver<Linear_solver> solver(problem, options);
+  const Sparse_cholesky<double> linear_solver = internal::make_linear_solver<Linear_solver>();
+  internal::Mixed_integer_solver solver(problem, options, linear_solver);
   Mixed_integer_solution solution = solver.solve();
   visitor.on_stage_end("mixed-integer solution");
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -13,8 +13,9 @@
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
-#include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
-#include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
+#include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
+#include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -83,7 +84,7 @@ struct Gp_input
 
   Indexed_quad_mesh_copy<QuadMesh> copy;
   Structure_state state;
-  Gp_vertex_rules rules;
+  Quad_vertex_rules rules;
 
   Gp_input(const QuadMesh& qm, const NamedParameters& np)
   {

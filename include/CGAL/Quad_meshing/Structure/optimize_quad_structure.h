@@ -10,16 +10,16 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_OPTIMIZE_QUAD_STRUCTURE_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Smoothing/work_on_quad_mesh_copy.h>
 #include <CGAL/Quad_meshing/Structure/internal/Accepted_shape.h>
 #include <CGAL/Quad_meshing/Structure/internal/Shape_watch.h>
-#include <CGAL/Quad_meshing/Structure/internal/Smoothing_reference.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_methods.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
-#include <CGAL/Quad_meshing/Structure/internal/quad_mesh_constraints.h>
-#include <CGAL/Quad_meshing/Structure/internal/write_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
-#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -12,6 +12,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -29,16 +30,22 @@ class Disjoint_sets
 
 public:
   explicit Disjoint_sets(int n)
-    : m_rank(n, 0), m_parent(n)
+    : m_rank(n, 0), m_parent(n), m_smallest(n)
     , m_sets(Map(m_rank.begin()), Map(m_parent.begin()))
   {
     std::iota(m_parent.begin(), m_parent.end(), 0);
+    std::iota(m_smallest.begin(), m_smallest.end(), 0);
   }
 
-  Disjoint_sets(const Disjoint_sets&) = delete;
-  Disjoint_sets& operator=(const Disjoint_sets&) = delete;
+  // The iterators of a vector stay valid when it is moved, so the maps need no repair.
+  Disjoint_sets(Disjoint_sets&&) = default;
+  Disjoint_sets& operator=(Disjoint_sets&&) = default;
 
+  // Some element that stands for the set of i.
   int find(int i) { return m_sets.find_set(i); }
+
+  // The smallest element of the set of i, whatever the order in which it was joined.
+  int smallest(int i) { return m_smallest[find(i)]; }
 
   bool are_joined(int i, int j) { return find(i) == find(j); }
 
@@ -49,11 +56,13 @@ public:
     if(a == b)
       return false;
     m_sets.link(a, b);
+    m_smallest[find(a)] = (std::min)(m_smallest[a], m_smallest[b]);
     return true;
   }
 
 private:
   std::vector<int> m_rank, m_parent;
+  std::vector<int> m_smallest;      // per representative
   boost::disjoint_sets<Map, Map> m_sets;
 };
 

@@ -10,7 +10,7 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_FIELD_MESH_H
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
-#include <CGAL/Quad_meshing/Geodesics/internal/Spatial_numbers.h>
+#include <CGAL/Quad_meshing/internal/Spatial_numbers.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>

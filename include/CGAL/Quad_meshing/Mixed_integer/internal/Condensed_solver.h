@@ -26,21 +26,21 @@ namespace internal {
 //   z_l = (b_l - a'x) / A_ll,
 // and the system of the others is without a a' / A_ll; fixing the leaf adds this to their matrix. That makes systems smaller, and
 // local steps larger: neighbors do not wait for the leaf between them.
-template <typename LinearSolver>
 class Condensed_solver
 {
 public:
-  typedef Three_level_solver<LinearSolver> Solver;
-  typedef typename Solver::Level Level;
+  typedef Three_level_solver Solver;
+  typedef Solver::Level Level;
 
-  Condensed_solver(const Reduced_problem& problem, double tolerance, int gauss_seidel_iterations,
-                   int conjugate_gradient_iterations)
+  Condensed_solver(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, double tolerance,
+                   int gauss_seidel_iterations, int conjugate_gradient_iterations)
     : m_problem(problem)
     , m_leaf(problem.size(), -1)
     , m_core(problem.size(), -1)
   {
     find_leaves();
-    m_solver.reset(new Solver(core_matrix(), core_rhs(), tolerance, gauss_seidel_iterations, conjugate_gradient_iterations));
+    m_solver.reset(new Solver(linear_solver, core_matrix(), core_rhs(), tolerance, gauss_seidel_iterations,
+                              conjugate_gradient_iterations));
   }
 
   bool initialize(int& factorizations) { return m_solver->initialize(factorizations); }

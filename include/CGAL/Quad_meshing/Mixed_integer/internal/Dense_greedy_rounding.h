@@ -11,7 +11,7 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <utility>
@@ -24,15 +24,17 @@ namespace internal {
 // Greedy rounding (thesis 5.2.2) of y in E(y) = 1/2 (y - y*)' S (y - y*): the same roundings as with a new
 // solution of the whole system after each one. With C = S^-1, fixing y_j at k moves the minimizer of the
 // others by C_ij / C_jj (k - y_j), and takes C_ij C_jl / C_jj from C_il: quadratic time per rounding.
-inline Eigen::VectorXd dense_greedy_rounding(const Eigen::LLT<Eigen::MatrixXd>& cholesky,
-                                             const Eigen::VectorXd& target)
+// `factor` is the lower triangular factor of S.
+inline Eigen::VectorXd dense_greedy_rounding(const Eigen::MatrixXd& factor, const Eigen::VectorXd& target)
 {
   // Estimates that differ by less than this are tied; the lowest index wins.
   const double tie = 1e-7;
   const int m = static_cast<int>(target.size());
   if(m == 0)
     return target;
-  Eigen::MatrixXd C = cholesky.solve(Eigen::MatrixXd::Identity(m, m));
+  Eigen::MatrixXd C = Eigen::MatrixXd::Identity(m, m);
+  factor.triangularView<Eigen::Lower>().solveInPlace(C);
+  factor.triangularView<Eigen::Lower>().adjoint().solveInPlace(C);
   Eigen::VectorXd y = target;
   // The open variables are kept in front, in C and here: C shrinks as roundings go on.
   std::vector<int> open(m);

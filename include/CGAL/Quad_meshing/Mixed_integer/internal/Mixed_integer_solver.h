@@ -32,12 +32,13 @@ namespace Quad_meshing {
 namespace internal {
 
 // The way of every problem: eliminate equality constraints, run the method on what is left, expand.
-template <typename LinearSolver>
 class Mixed_integer_solver
 {
 public:
-  Mixed_integer_solver(const Mixed_integer_problem& problem, const Solver_options& options)
-    : m_problem(problem), m_options(options)
+  // `linear_solver` shows how to solve.
+  Mixed_integer_solver(const Mixed_integer_problem& problem, const Solver_options& options,
+                       const Sparse_cholesky<double>& linear_solver)
+    : m_problem(problem), m_options(options), m_linear_solver(linear_solver)
   {}
 
   Mixed_integer_solution solve()
@@ -63,8 +64,8 @@ public:
     switch(m_options.method)
     {
       case RELAXED: run_relaxed(); break;
-      case DIRECT_ROUNDING: m_ran = direct_rounding<LinearSolver>(m_reduced, m_z, m_solution); break;
-      case NAIVE_ROUNDING: m_ran = naive_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options); break;
+      case DIRECT_ROUNDING: m_ran = direct_rounding(m_linear_solver, m_reduced, m_z, m_solution); break;
+      case NAIVE_ROUNDING: m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options); break;
       case GREEDY_ROUNDING: run_greedy(); break;
       case LATTICE_ROUNDING: run_lattice(); break;
       default: return run_search();
@@ -103,8 +104,8 @@ private:
 
   void run_relaxed()
   {
-    LinearSolver solver;
-    m_ran = factorize_with_shift(solver, m_reduced.A, m_solution.factorizations);
+    Sparse_cholesky<double> solver = m_linear_solver.make_another();
+    m_ran = factorize_semidefinite(solver, m_reduced.A, m_solution.factorizations);
     if(!m_ran)
       return;
     m_z = solver.solve(m_reduced.b);
@@ -120,18 +121,18 @@ private:
   {
     if(!has_few_integers())
     {
-      m_ran = sparse_greedy_rounding<LinearSolver>(m_reduced, m_z, m_solution, m_options);
+      m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options);
       return;
     }
-    Integer_energy<LinearSolver> schur;
+    Integer_energy schur(m_linear_solver);
     if(!keep_integers(schur))
       return;
-    m_z = schur.complete(dense_greedy_rounding(schur.cholesky(), schur.target()));
+    m_z = schur.complete(dense_greedy_rounding(schur.factor(), schur.target()));
     m_solution.dense_roundings = schur.size();
   }
 
   // Reduces the energy to that of some of the free variables. Returns false if it is not convex.
-  bool compute(Integer_energy<LinearSolver>& schur, const std::vector<int>& kept)
+  bool compute(Integer_energy& schur, const std::vector<int>& kept)
   {
     std::vector<bool> is_kept(m_reduced.size(), false);
     for(int v : kept)
@@ -141,7 +142,7 @@ private:
     return is_convex;
   }
 
-  bool keep_integers(Integer_energy<LinearSolver>& schur)
+  bool keep_integers(Integer_energy& schur)
   {
     m_ran = compute(schur, m_reduced.integers);
     if(m_ran)
@@ -167,11 +168,11 @@ private:
       run_greedy();
       return;
     }
-    Integer_energy<LinearSolver> schur;
+    Integer_energy schur(m_linear_solver);
     if(!keep_integers(schur))
       return;
     const std::function<bool()> go_further = limits();
-    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.cholesky(), schur.target());
+    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.factor(), schur.target());
     m_z = schur.complete(greedy);
     if(is_unbounded())
       return;
@@ -234,7 +235,7 @@ private:
       return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
                   "Cutting planes alone need a linear objective; outer approximation takes convex ones.");
     // The other variables follow from those that matter to the search.
-    Integer_energy<LinearSolver> schur;
+    Integer_energy schur(m_linear_solver);
     m_ran = compute(schur, bounded.kept);
     if(!m_ran || bounded.size() == 0)
     {
@@ -252,7 +253,7 @@ private:
     double radius = std::numeric_limits<double>::infinity();
     if(!m_problem.has_inequalities())
     {
-      incumbent = dense_greedy_rounding(schur.cholesky(), schur.target());
+      incumbent = dense_greedy_rounding(schur.factor(), schur.target());
       radius = schur.cost(incumbent);
       m_solution.relaxed_energy = constant;
       m_z = schur.complete(incumbent);
@@ -360,8 +361,8 @@ private:
     const double far_away = 1e5, relative_residual = 1e-6;
     if(m_problem.has_inequalities() || m_z.size() == 0 || !(m_z.cwiseAbs().maxCoeff() > far_away))
       return false;
-    LinearSolver solver;
-    if(!factorize_with_shift(solver, m_reduced.A, m_solution.factorizations))
+    Sparse_cholesky<double> solver = m_linear_solver.make_another();
+    if(!factorize_semidefinite(solver, m_reduced.A, m_solution.factorizations))
       return false;
     const Eigen::VectorXd residual = m_reduced.A * solver.solve(m_reduced.b) - m_reduced.b;
     return residual.cwiseAbs().maxCoeff() > relative_residual * m_reduced.b.cwiseAbs().maxCoeff();
@@ -391,6 +392,7 @@ private:
 
   const Mixed_integer_problem& m_problem;
   const Solver_options& m_options;
+  const Sparse_cholesky<double>& m_linear_solver;
   Eigen::SparseMatrix<double> m_A;
   Eigen::VectorXd m_b;
   Eliminated_constraints m_constraints;

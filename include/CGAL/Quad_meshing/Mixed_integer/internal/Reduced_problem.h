@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_REDUCED_PROBLEM_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_REDUCED_PROBLEM_H
 
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 
 #include <Eigen/SparseCore>
@@ -103,28 +104,13 @@ inline Eigen::VectorXd subvector(const Eigen::VectorXd& v, const std::vector<int
   return result;
 }
 
-// Factorizes A; should it be singular, A plus the smallest of a few shifts of the diagonal that helps.
-// A singular convex energy has many minima: the shift chooses one of them.
-template <typename LinearSolver>
-bool factorize_with_shift(LinearSolver& solver, const Eigen::SparseMatrix<double>& A, int& factorizations)
+// Factorizes a semidefinite matrix and counts the attempts.
+inline bool factorize_semidefinite(Sparse_cholesky<double>& solver, const Eigen::SparseMatrix<double>& A, int& factorizations)
 {
-  ++factorizations;
-  if(solver.compute(A))
-    return true;
-  double largest = 0.;
-  for(int i = 0; i < A.cols(); ++i)
-    largest = (std::max)(largest, std::fabs(A.coeff(i, i)));
-  if(!(largest > 0.))
-    largest = 1.;
-  for(double relative_shift : { 1e-12, 1e-10, 1e-8 })
-  {
-    Eigen::SparseMatrix<double> identity(A.rows(), A.cols());
-    identity.setIdentity();
-    ++factorizations;
-    if(solver.compute(Eigen::SparseMatrix<double>(A + (relative_shift * largest) * identity)))
-      return true;
-  }
-  return false;
+  const int before = solver.number_of_factorizations();
+  const bool is_ok = solver.compute_semidefinite(A);
+  factorizations += solver.number_of_factorizations() - before;
+  return is_ok;
 }
 
 } // namespace internal

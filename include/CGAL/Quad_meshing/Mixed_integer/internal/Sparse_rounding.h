@@ -24,10 +24,10 @@ namespace Quad_meshing {
 namespace internal {
 
 // Direct rounding (thesis 5.2.1): two systems.
-template <typename LinearSolver>
-bool direct_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_integer_solution& solution)
+inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, Eigen::VectorXd& z,
+                            Mixed_integer_solution& solution)
 {
-  Three_level_solver<LinearSolver> solver(problem.A, problem.b, 0., 0, 0);
+  Three_level_solver solver(linear_solver, problem.A, problem.b, 0., 0, 0);
   if(!solver.initialize(solution.factorizations))
     return false;
   solution.relaxed_energy = problem.energy(solver.x());
@@ -40,12 +40,11 @@ bool direct_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_i
 }
 
 // Greedy rounding, one integer after the other, with the exact solution in between.
-template <typename LinearSolver>
-bool naive_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_integer_solution& solution,
-                    const Solver_options& options)
+inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, Eigen::VectorXd& z,
+                           Mixed_integer_solution& solution, const Solver_options& options)
 {
   const double tie = 1e-7;
-  Three_level_solver<LinearSolver> solver(problem.A, problem.b, 0., 0, 0);
+  Three_level_solver solver(linear_solver, problem.A, problem.b, 0., 0, 0);
   if(!solver.initialize(solution.factorizations))
     return false;
   solution.relaxed_energy = problem.energy(solver.x());
@@ -75,17 +74,16 @@ bool naive_rounding(const Reduced_problem& problem, Eigen::VectorXd& z, Mixed_in
 // Simultaneous rounding: if rounding one variable by d moves no other by more than d, the estimates of a
 // set of variables still round to the same integers after all of them but one were rounded as long as the
 // deviations sum up to less than one half.
-template <typename LinearSolver>
-bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
-                            Mixed_integer_solution& solution, const Solver_options& options)
+inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
+                                   Eigen::VectorXd& z, Mixed_integer_solution& solution, const Solver_options& options)
 {
-  typedef Condensed_solver<LinearSolver> Solver;
-  typedef Three_level_solver<LinearSolver> Levels;
+  typedef Condensed_solver Solver;
+  typedef Three_level_solver Levels;
   // Local updates leave smooth errors below their tolerance. They add up; a new factorization after this
   // fraction of all roundings takes them away. It also is the better preconditioner from then on.
   const double refresh_fraction = 0.1;
 
-  Solver solver(problem, options.rounding_tolerance, options.gauss_seidel_iterations,
+  Solver solver(linear_solver, problem, options.rounding_tolerance, options.gauss_seidel_iterations,
                 options.conjugate_gradient_iterations);
   if(!solver.initialize(solution.factorizations))
     return false;
@@ -131,7 +129,7 @@ bool sparse_greedy_rounding(const Reduced_problem& problem, Eigen::VectorXd& z,
     solution.simultaneous_roundings += batch - 1;
     since_refresh += batch;
 
-    typename Solver::Level level;
+    Solver::Level level;
     if(since_refresh >= refresh_interval && rounded < m)
     {
       level = solver.factorize(solution.factorizations) ? Levels::FACTORIZATION : Levels::FAILED;

@@ -31,13 +31,14 @@ namespace internal {
 //
 // The tolerance of levels 1 and 2 is a length in units of the variables: the change that the next step,
 // of Gauss-Seidel or of the preconditioner, would still make.
-template <typename LinearSolver>
 class Three_level_solver
 {
 public:
   enum Level { GAUSS_SEIDEL = 1, CONJUGATE_GRADIENT = 2, FACTORIZATION = 3, FAILED = 4 };
 
-  Three_level_solver(const Eigen::SparseMatrix<double>& A,
+  // `linear_solver` shows how to solve.
+  Three_level_solver(const Sparse_cholesky<double>& linear_solver,
+                     const Eigen::SparseMatrix<double>& A,
                      const Eigen::VectorXd& b,
                      double tolerance,
                      int gauss_seidel_iterations,
@@ -45,6 +46,7 @@ public:
     : m_A(A)
     , m_b(b)
     , m_diagonal(A.diagonal())
+    , m_factor(linear_solver.make_another())
     , m_is_fixed(b.size(), 0)
     , m_is_queued(b.size(), 0)
     , m_is_changed(b.size(), 0)
@@ -56,7 +58,7 @@ public:
   // Computes the minimizer with nothing fixed.
   bool initialize(int& factorizations)
   {
-    if(!factorize_with_shift(m_factor, m_A, factorizations))
+    if(!factorize_semidefinite(m_factor, m_A, factorizations))
       return false;
     m_x = m_factor.solve(m_b);
     return true;
@@ -159,7 +161,7 @@ public:
       if(m_is_fixed[i])
         rhs[i] = m_x[i];
     ++factorizations;
-    if(!m_factor.factorize(fixed) && !factorize_with_shift(m_factor, fixed, factorizations))
+    if(!m_factor.factorize(fixed) && !factorize_semidefinite(m_factor, fixed, factorizations))
       return false;
     const Eigen::VectorXd x = m_factor.solve(rhs);
     for(int i = 0; i < rhs.size(); ++i)
@@ -280,7 +282,7 @@ private:
 
   Eigen::SparseMatrix<double> m_A;
   Eigen::VectorXd m_b, m_diagonal;
-  LinearSolver m_factor;
+  Sparse_cholesky<double> m_factor;
   Eigen::VectorXd m_x;
   std::vector<std::pair<int, Eigen::VectorXd> > m_columns; // the variables fixed exactly since the last factor, and their steps
   std::vector<char> m_is_fixed, m_is_queued, m_is_changed;

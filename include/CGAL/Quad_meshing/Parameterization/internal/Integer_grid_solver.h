@@ -208,7 +208,7 @@ public:
 private:
   const Vertex_sectors sectors;
   Map_optimization optimization;
-  Integer_energy<> reduction;
+  Integer_energy reduction;
   double constant = 0;
   bool is_carried = false;
   // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
@@ -243,7 +243,7 @@ private:
         number[i] = static_cast<int>(variables.size());
         variables.push_back(static_cast<int>(i));
       }
-    Sparse_cholesky solver;
+    Sparse_cholesky<double> solver;
     for(unsigned int i = 0; i < iterations && fewest > 0; ++i)
     {
       stiffening.update_weights(z);

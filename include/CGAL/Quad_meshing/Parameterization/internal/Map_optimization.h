@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_MAP_OPTIMIZATION_H
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_MAP_OPTIMIZATION_H
 
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Element_sum.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Regularized_distortion.h>
@@ -258,7 +258,7 @@ private:
         }
     Eigen::SparseMatrix<double> A(variables.size(), variables.size());
     A.setFromTriplets(triplets.begin(), triplets.end());
-    Sparse_cholesky solver;
+    Sparse_cholesky<double> solver;
     if(!solver.compute(A))
       return; // a region without a fixed border: leave it where it is
     const Eigen::VectorXd y = solver.solve(rhs);
@@ -418,7 +418,7 @@ private:
       return;
     Eigen::VectorXd gradient;
     Eigen::SparseMatrix<double> hessian;
-    Sparse_cholesky solver;
+    Sparse_cholesky<double> solver;
     bool analyzed = false;
     int steps_since_unfolded = 0;
     double worst_before = -(std::numeric_limits<double>::max)();

@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ACCEPTED_SHAPE_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ACCEPTED_SHAPE_H
 
-#include <CGAL/Quad_meshing/Structure/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 
 #include <algorithm>
 #include <cstddef>

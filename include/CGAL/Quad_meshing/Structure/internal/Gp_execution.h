@@ -10,7 +10,8 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GP_EXECUTION_H
 
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -175,14 +176,14 @@ private:
     vertex_of.assign(nv, -1);
     vertex_from.clear();
     for(int v = 0; v < nv; ++v)
-      if(merged.find(v) == v)
+      if(merged.smallest(v) == v)
       {
         vertex_of[v] = r.number_of_vertices();
         r.points.push_back(m.points[v]);
         vertex_from.push_back(v);
       }
     for(int v = 0; v < nv; ++v)
-      vertex_of[v] = vertex_of[merged.find(v)];
+      vertex_of[v] = vertex_of[merged.smallest(v)];
 
     std::sort(merged_vertices.begin(), merged_vertices.end());
     merged_vertices.erase(std::unique(merged_vertices.begin(), merged_vertices.end()), merged_vertices.end());

@@ -9,8 +9,8 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GP_PATH_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GP_PATH_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <vector>
 
@@ -88,43 +88,6 @@ inline bool gp_passages_are_compatible(Gp_passage a, int side_a, Gp_passage b, i
 {
   return a != gp_turn && b != gp_turn && (a == gp_straight_collapse || b == gp_straight_collapse)
       && ((side_a ^ side_b) & 1) == 1;
-}
-
-// The properties of vertices that must not be merged with each other.
-struct Gp_vertex_rules
-{
-  std::vector<char> is_special;     // irregular, or a corner of the features: no two become one
-  std::vector<char> is_irregular;   // these do not move onto a feature or the border
-  std::vector<char> on_feature;     // two features do not become one ...
-  std::vector<char> on_border;      // ... nor do two borders
-};
-
-inline Gp_vertex_rules make_gp_vertex_rules(const Indexed_quad_mesh& m, bool merge_singularities)
-{
-  Gp_vertex_rules r;
-  const int nv = m.number_of_vertices();
-  r.is_special.assign(nv, 0);
-  r.is_irregular.assign(nv, 0);
-  r.on_feature.assign(nv, 0);
-  r.on_border.assign(nv, 0);
-  std::vector<int> feature_degree(nv, 0);
-  for(int h = 0; h < m.number_of_halfedges(); ++h)
-    if(m.edge(h) == h)
-      for(int v : { m.source(h), m.target(h) })
-      {
-        feature_degree[v] += m.is_feature[h] && !m.is_border(h);
-        r.on_border[v] |= m.is_border(h);
-      }
-  for(int v = 0; v < nv; ++v)
-  {
-    r.on_feature[v] = feature_degree[v] > 0;
-    // where features end, branch or meet the border
-    const bool is_corner = feature_degree[v] > 0 && (feature_degree[v] != 2 || r.on_border[v]);
-    const bool irregular = is_irregular(m, v);
-    r.is_irregular[v] = irregular && !merge_singularities;
-    r.is_special[v] = is_corner || (irregular && (!merge_singularities || r.on_border[v]));
-  }
-  return r;
 }
 
 } // namespace internal

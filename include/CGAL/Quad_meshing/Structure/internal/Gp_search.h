@@ -10,7 +10,8 @@
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_GP_SEARCH_H
 
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <algorithm>
 #include <functional>
@@ -37,7 +38,7 @@ public:
     explicit operator bool() const { return at != -1; }
   };
 
-  Gp_legality(const Indexed_quad_mesh& mesh, const Gp_vertex_rules& vertex_rules)
+  Gp_legality(const Indexed_quad_mesh& mesh, const Quad_vertex_rules& vertex_rules)
     : m(mesh), rules(vertex_rules), crossed_at(mesh.number_of_halfedges(), -1),
       passages(mesh.number_of_faces()), parent(mesh.number_of_vertices(), -1), group(mesh.number_of_vertices())
   {}
@@ -149,7 +150,7 @@ private:
   }
 
   const Indexed_quad_mesh& m;
-  const Gp_vertex_rules& rules;
+  const Quad_vertex_rules& rules;
   std::vector<int> crossed_at;          // per edge: the step that crosses it
   std::vector<Passages> passages;       // per face
   std::vector<int> parent;              // per vertex: union-find of the merged ones, -1 if untouched
@@ -163,7 +164,7 @@ public:
   // Number of repairs of an illegal path before the search gives up.
   static constexpr int repairs = 60;
 
-  Gp_search(const Indexed_quad_mesh& mesh, const Gp_vertex_rules& vertex_rules)
+  Gp_search(const Indexed_quad_mesh& mesh, const Quad_vertex_rules& vertex_rules)
     : m(mesh), legality(mesh, vertex_rules), forbidden(4 * mesh.number_of_halfedges(), 0),
       blocked(4 * mesh.number_of_halfedges(), 0), reached(4 * mesh.number_of_halfedges(), 0),
       origin(4 * mesh.number_of_halfedges())

@@ -9,12 +9,13 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_UNWINDING_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_UNWINDING_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
-#include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Helix_detection.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -70,7 +71,7 @@ public:
       if(base == -1)
         return steps > 0;     // the helix has gone together with another one
 
-      const Gp_vertex_rules rules = vertex_rules(s, m_merge_singularities);
+      const Quad_vertex_rules rules = vertex_rules(s, m_merge_singularities);
       Gp_search search(s.mesh, rules);
       const std::vector<int> correction = correction_of(s.mesh, relation, bases, base, upwards);
       protect(search, s.mesh, lines, relation, bases, correction);

@@ -9,8 +9,8 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_GOALS_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_GOALS_H
 
-#include <CGAL/Quad_meshing/Structure/quad_mesh_quality.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 
 #include <algorithm>
 #include <cstddef>

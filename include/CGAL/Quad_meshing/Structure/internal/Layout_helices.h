@@ -9,11 +9,11 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_HELICES_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_HELICES_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_realization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Helix_detection.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,17 +9,17 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_OPTIMIZER_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
+#include <CGAL/Quad_meshing/Layout/Feature_bends.h>
+#include <CGAL/Quad_meshing/Layout/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_search.h>
-#include <CGAL/Quad_meshing/Structure/internal/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
 
 #include <algorithm>
 #include <memory>

@@ -9,16 +9,16 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_SEARCH_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_SEARCH_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Base_complex_arrays.h>
-#include <CGAL/Quad_meshing/Structure/internal/Feature_bends.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_curves.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Feature_bends.h>
+#include <CGAL/Quad_meshing/Layout/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_quantization.h>
-#include <CGAL/Quad_meshing/Structure/internal/Layout_realization.h>
-#include <CGAL/Quad_meshing/Structure/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <CGAL/Random.h>
 

@@ -9,14 +9,15 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_STRUCTURE_OPTIMIZER_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_STRUCTURE_OPTIMIZER_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Base_complex_arrays.h>
-#include <CGAL/Quad_meshing/Structure/internal/Dual_lines.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
-#include <CGAL/Quad_meshing/Structure/internal/Helix_detection.h>
 #include <CGAL/Quad_meshing/Structure/internal/Helix_unwinding.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
+#include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Helix_detection.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -141,7 +142,7 @@ public:
   {
     const Indexed_quad_mesh& m = state.mesh;
     const Dual_lines lines(m);
-    const Gp_vertex_rules rules = vertex_rules(state, m_merge_singularities);
+    const Quad_vertex_rules rules = vertex_rules(state, m_merge_singularities);
     Gp_legality legality(m, rules);
     std::vector<std::pair<int, int> > order;
     for(int l = 0; l < lines.number_of_lines(); ++l)

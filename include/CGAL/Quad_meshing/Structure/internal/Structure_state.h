@@ -11,7 +11,8 @@
 
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <numeric>
 #include <utility>
@@ -69,9 +70,9 @@ inline Gp_path collapse_path(const Indexed_quad_mesh& m, int h)
   return straight_path(m, h, gp_collapse);
 }
 
-inline Gp_vertex_rules vertex_rules(const Structure_state& s, bool merge_singularities)
+inline Quad_vertex_rules vertex_rules(const Structure_state& s, bool merge_singularities)
 {
-  Gp_vertex_rules rules = make_gp_vertex_rules(s.mesh, merge_singularities);
+  Quad_vertex_rules rules = make_quad_vertex_rules(s.mesh, merge_singularities);
   for(std::size_t v = 0; v < s.is_fixed.size(); ++v)
     if(s.is_fixed[v])
       rules.is_special[v] = 1;
@@ -80,7 +81,7 @@ inline Gp_vertex_rules vertex_rules(const Structure_state& s, bool merge_singula
 
 // Executes a legal path; false if the result is not a mesh that can be represented, because edges
 // would share both ends.
-inline bool execute_operator(const Structure_state& s, const Gp_path& path, const Gp_vertex_rules& rules, Structure_state& result)
+inline bool execute_operator(const Structure_state& s, const Gp_path& path, const Quad_vertex_rules& rules, Structure_state& result)
 {
   const int nv = s.mesh.number_of_vertices();
   std::vector<char> weight(nv);

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_PLAN_IMPL_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_PLAN_IMPL_H
+
+#include <CGAL/Quad_meshing/Pipeline/Grid_map_plan.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/quad_counts.h>
+
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+typedef std::optional<Grid_map_plan> Optional_plan;
+
+inline bool is_folded(const Grid_map_situation& s)
+{
+  return s.has_attempt && s.folded_triangles != 0;
+}
+
+inline bool is_unfolded(const Grid_map_situation& s)
+{
+  return s.has_attempt && s.folded_triangles == 0;
+}
+
+inline Optional_plan plan_as_requested(const Grid_map_situation& s)
+{
+  Grid_map_plan plan;
+  plan.new_field = s.requested_method;
+  return plan;
+}
+
+inline Optional_plan plan_other_length(const Grid_map_situation& s)
+{
+  if(!is_folded(s) || s.folded_before_rounding != 0)
+    return std::nullopt;
+  const double shortest = 0.93, longest = 1.05; // within 16 percent of the number of quads
+  Grid_map_plan plan;
+  plan.relative_length = Random(s.random_seed).get_double(shortest, longest);
+  return plan;
+}
+
+inline Optional_plan plan_other_field(const Grid_map_situation& s)
+{
+  if(!is_folded(s) || s.requested_method != Cross_field_method::REPRESENTATION)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.new_field = Cross_field_method::POLISHED;
+  return plan;
+}
+
+// Where feature edges leave no room, those nearby are released, farther and farther around.
+inline Optional_plan plan_release(const Grid_map_situation& s, double radius)
+{
+  if(!is_folded(s) || !s.has_releasable_features)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.new_field = s.method;
+  plan.release_radius = radius;
+  return plan;
+}
+
+// The grid of a map without fold-overs may still be too coarse for a mesh, where the surface is narrow.
+inline Optional_plan plan_finer(const Grid_map_situation& s, double relative_length)
+{
+  if(!is_unfolded(s) || s.is_simple)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.relative_length = relative_length;
+  return plan;
+}
+
+// Integers round lengths, most of all between features: the number of quads says by how much.
+inline Optional_plan plan_nearer_number(const Grid_map_situation& s)
+{
+  if(!is_unfolded(s) || !s.is_simple || s.requested_quads == 0 || is_about(s.quads, s.requested_quads))
+    return std::nullopt;
+  const double largest_step = 1.25; // of the length: beyond it the next rounding is another one anyway
+  const double step = std::sqrt(s.quads / s.requested_quads);
+  Grid_map_plan plan;
+  plan.relative_length = s.relative_length * (std::min)((std::max)(step, 1 / largest_step), largest_step);
+  return plan;
+}
+
+} // namespace internal
+
+CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans()
+{
+  auto release = [](double radius)
+  {
+    return [radius](const Grid_map_situation& s) { return internal::plan_release(s, radius); };
+  };
+  auto finer = [](double relative_length)
+  {
+    return [relative_length](const Grid_map_situation& s) { return internal::plan_finer(s, relative_length); };
+  };
+  return {
+    { "as requested", internal::plan_as_requested },
+    { "other length", internal::plan_other_length },
+    { "other field", internal::plan_other_field },
+    { "release within 2", release(2) },
+    { "release within 4", release(4) },
+    { "release within 8", release(8) },
+    { "finer", finer(0.95) },
+    { "still finer", finer(0.9) },
+    { "nearer number", internal::plan_nearer_number },
+    { "still nearer number", internal::plan_nearer_number }
+  };
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_PLAN_IMPL_H

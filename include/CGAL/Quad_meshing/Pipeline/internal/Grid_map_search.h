@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_SEARCH_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_SEARCH_H
+
+#include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Watched_visitor.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
+#include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// Carries out the plans of a quadrangulation on one component, and keeps the best attempt.
+//
+// An attempt depends on nothing but its plan, the best attempt before it, and what is constant: the prepared triangles, the directions
+// and the options.
+class Grid_map_search
+{
+  typedef Quadrangulation_mesh Mesh;
+  typedef Quadrangulation_status Status;
+  typedef Mesh::Property_map<Mesh::Face_index, std::optional<Quadrangulation_kernel::Vector_3> > Directions;
+
+public:
+  struct Options
+  {
+    const Quadrangulation_options& quadrangulation;
+    double length;             // of a quad edge
+    double releasable_length;  // of the feature edges that may be released
+    double requested_quads;    // in this component; 0: an edge length was asked for
+    double number_of_quads;    // that the length stands for
+  };
+
+  Grid_map_search(const Quadrangulation_surface& surface, const Directions& directions, const Options& options,
+                  Watched_visitor& visitor)
+    : m_surface(surface), m_directions(directions), m_options(options), m_visitor(visitor)
+  {}
+
+  // The times and the number of attempts of all plans.
+  Quadrangulation_result figures;
+
+  // Why there is no attempt, if there is none.
+  Status status = Status::FAILED;
+  std::string message;
+
+  // The best attempt, or null.
+  std::shared_ptr<const Grid_map_attempt> run()
+  {
+    std::shared_ptr<Grid_map_attempt> best;
+    for(const Grid_map_plan_rule& rule : m_options.quadrangulation.plans)
+    {
+      if(best && !m_visitor.go_further())
+        break;
+      const std::optional<Grid_map_plan> plan = rule.plan(situation(best.get()));
+      if(!plan)
+        continue;
+      std::shared_ptr<Grid_map_attempt> attempt = carry_out(*plan, best.get());
+      if(attempt && attempt->folded.empty() && !extract(*attempt))
+        attempt.reset();
+      if(attempt && (!best || attempt->is_better_than(*best, m_options.requested_quads)))
+        best = attempt;
+      if(!best) // what fails after there is a map does no harm
+        return nullptr;
+    }
+    if(m_visitor.is_stopped())
+      return stopped("The visitor stopped the quadrangulation.");
+    if(best && !best->quads && !extract(*best))
+      return nullptr;
+    return best;
+  }
+
+private:
+  template <typename Tag, typename T>
+  auto map_of(Tag tag, std::vector<T>& values) const
+  {
+    return boost::make_iterator_property_map(values.begin(), get(tag, m_surface.mesh));
+  }
+
+  template <typename Tag, typename T>
+  auto map_of(Tag tag, const std::vector<T>& values) const
+  {
+    return boost::make_iterator_property_map(values.begin(), get(tag, m_surface.mesh));
+  }
+
+  Grid_map_situation situation(const Grid_map_attempt* best) const
+  {
+    Grid_map_situation s;
+    s.requested_method = m_options.quadrangulation.cross_field_method;
+    s.random_seed = m_options.quadrangulation.random_seed;
+    s.has_releasable_features = m_options.releasable_length > 0;
+    s.requested_quads = m_options.requested_quads;
+    if(best)
+    {
+      s.has_attempt = true;
+      s.folded_triangles = best->folded.size();
+      s.folded_before_rounding = best->folded_before_rounding.size();
+      s.is_simple = best->is_simple;
+      s.quads = best->number_of_quads();
+      s.relative_length = best->relative_length;
+      s.method = best->field->method;
+    }
+    return s;
+  }
+
+  // Null if there is no map, or if the plan changes nothing.
+  std::shared_ptr<Grid_map_attempt> carry_out(const Grid_map_plan& plan, const Grid_map_attempt* best)
+  {
+    std::shared_ptr<const Field_attempt> field = best ? best->field : nullptr;
+    if(plan.new_field)
+    {
+      std::vector<char> is_feature = best ? best->field->is_feature : initial_features();
+      double released = best ? best->field->released_length : 0;
+      if(plan.release_radius > 0)
+      {
+        const double length = release(*best, plan.release_radius * m_options.length, is_feature);
+        if(length == 0)
+          return nullptr;
+        released += length;
+      }
+      field = field_with_room(*plan.new_field, is_feature, released);
+    }
+    return field ? map(field, plan.relative_length) : nullptr;
+  }
+
+  std::vector<char> initial_features() const
+  {
+    std::vector<char> is_feature;
+    for(Mesh::Edge_index e : m_surface.mesh.edges())
+      is_feature.push_back(m_surface.is_feature[e]);
+    return is_feature;
+  }
+
+  // The edges near the folded triangles of an attempt; returns their length.
+  double release(const Grid_map_attempt& attempt, double radius, std::vector<char>& is_feature) const
+  {
+    return release_features(m_surface.mesh, m_surface.mesh.points(),
+                            attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding, radius,
+                            map_of(boost::edge_index, is_feature));
+  }
+
+  // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there is hardly one
+  // to be found: then the feature edges are given up, all of them. Few singularities may be as close as they like.
+  std::shared_ptr<const Field_attempt> field_with_room(Cross_field_method method, const std::vector<char>& is_feature, double released)
+  {
+    std::shared_ptr<const Field_attempt> field = compute_field(method, is_feature, released);
+    if(field && !has_room(*field) && m_options.releasable_length > released)
+      field = compute_field(method, std::vector<char>(is_feature.size(), 0), m_options.releasable_length);
+    if(!field || has_room(*field))
+      return field;
+    figures.singularities = field->singularities;
+    figures.released_feature_share = m_options.releasable_length > 0 ? field->released_length / m_options.releasable_length : 0;
+    fail(Status::FAILED, "The cross field has " + std::to_string(field->singularities) + " singularities: too many for about " +
+                         std::to_string(std::lround(m_options.number_of_quads)) + " quads. More quads may help.");
+    return nullptr;
+  }
+
+  bool has_room(const Field_attempt& field) const
+  {
+    const int few = 1200, least_quads_per_singularity = 4;
+    return field.singularities <= few || field.singularities * least_quads_per_singularity <= m_options.number_of_quads;
+  }
+
+  void fail(Status s, const std::string& m)
+  {
+    status = s;
+    message = m;
+  }
+
+  std::shared_ptr<const Field_attempt> compute_field(Cross_field_method method, const std::vector<char>& is_feature, double released)
+  {
+    const Mesh& mesh = m_surface.mesh;
+    auto field = std::make_shared<Field_attempt>();
+    field->method = method;
+    field->is_feature = is_feature;
+    field->released_length = released;
+    field->angle.resize(mesh.number_of_faces());
+    field->period_jump.resize(mesh.number_of_edges());
+    field->index.resize(mesh.number_of_vertices());
+    const Cross_field_result r =
+      smooth_cross_field(mesh, map_of(boost::face_index, field->angle), map_of(boost::edge_index, field->period_jump),
+                         map_of(boost::vertex_index, field->index),
+                         parameters::target_edge_length(m_options.length)
+                           .edge_is_constrained_map(map_of(boost::edge_index, is_feature))
+                           .align_boundary(m_options.quadrangulation.align_boundary)
+                           .cross_field_method(method)
+                           .face_direction_map(m_directions)
+                           .visitor(std::ref(m_visitor)));
+    figures.field_seconds += r.seconds;
+    if(r.status == Cross_field_status::STOPPED)
+      return stopped(r.message);
+    if(!r.is_valid() && r.status != Cross_field_status::EMPTY_SECTORS)
+    {
+      fail(Status::FAILED, r.message);
+      return nullptr;
+    }
+    field->singularities = r.singularities;
+    field->integers = r.integers;
+    field->energy = r.energy;
+    return field;
+  }
+
+  std::nullptr_t stopped(const std::string& m)
+  {
+    fail(m_visitor.is_stopped() ? Status::STOPPED : Status::OUT_OF_TIME,
+         m_visitor.is_stopped() ? m : "The time was up before there was a mesh.");
+    return nullptr;
+  }
+
+  std::shared_ptr<Grid_map_attempt> map(const std::shared_ptr<const Field_attempt>& field, double relative_length)
+  {
+    const Quadrangulation_options& o = m_options.quadrangulation;
+    auto attempt = std::make_shared<Grid_map_attempt>();
+    attempt->field = field;
+    attempt->relative_length = relative_length;
+    attempt->uv.resize(m_surface.mesh.number_of_halfedges());
+    const Integer_grid_map_result r =
+      integer_grid_map(m_surface.mesh, map_of(boost::face_index, field->angle), map_of(boost::edge_index, field->period_jump),
+                       map_of(boost::vertex_index, field->index), map_of(boost::halfedge_index, attempt->uv),
+                       parameters::target_edge_length(relative_length * m_options.length)
+                         .edge_is_constrained_map(map_of(boost::edge_index, field->is_feature))
+                         .align_boundary(o.align_boundary)
+                         .rounding_method(o.rounding_method)
+                         .anisotropy_weight(o.anisotropy_weight)
+                         .number_of_threads(o.number_of_threads)
+                         .visitor(std::ref(m_visitor)));
+    ++figures.parameterization_attempts;
+    figures.parameterization_seconds += r.seconds;
+    if(r.status == Integer_grid_map_result::STOPPED)
+      return stopped(r.message);
+    if(r.status != Integer_grid_map_result::VALID && r.status != Integer_grid_map_result::FOLDED)
+    {
+      fail(Status::FAILED, r.message);
+      return nullptr;
+    }
+    attempt->integers = r.integers;
+    attempt->energy = r.energy;
+    attempt->relaxed_energy = r.relaxed_energy;
+    attempt->folded = faces(r.folded_faces);
+    attempt->folded_before_rounding = faces(r.folded_before_rounding);
+    return attempt;
+  }
+
+  static std::vector<Mesh::Face_index> faces(const std::vector<std::size_t>& numbers)
+  {
+    std::vector<Mesh::Face_index> result;
+    for(std::size_t i : numbers)
+      result.push_back(Mesh::Face_index(static_cast<Mesh::size_type>(i)));
+    return result;
+  }
+
+  // Makes the quads of an attempt. A map that has cost so much is not lost to a time limit.
+  bool extract(Grid_map_attempt& attempt)
+  {
+    if(m_visitor.is_time_up())
+      m_visitor.lift_time_limit();
+    Real_timer timer;
+    timer.start();
+    auto quads = std::make_shared<Quadrangulation_quads>();
+    const Quad_extraction_result r =
+      extract_quad_mesh(m_surface.mesh, map_of(boost::halfedge_index, attempt.uv), quads->mesh,
+                        parameters::face_location_map(quads->location).visitor(std::ref(m_visitor)));
+    figures.extraction_seconds += timer.time();
+    if(r.status == Quad_extraction_status::STOPPED)
+    {
+      stopped(r.message);
+      return false;
+    }
+    if(r.status == Quad_extraction_status::FAILED)
+    {
+      fail(Status::FAILED, r.message);
+      return false;
+    }
+    attempt.message = r.message;
+    attempt.other_faces = r.other_faces;
+    attempt.irregular_vertices = r.irregular_vertices + r.irregular_border_vertices;
+    attempt.is_simple = r.status != Quad_extraction_status::NOT_SIMPLE;
+    transfer_feature_edges(m_surface.mesh, map_of(boost::edge_index, attempt.field->is_feature), get(boost::vertex_index, m_surface.mesh),
+                           get(boost::edge_index, m_surface.mesh), quads->mesh, quads->location, quads->is_feature);
+    attempt.quads = quads;
+    return true;
+  }
+
+  const Quadrangulation_surface& m_surface;
+  const Directions& m_directions;
+  const Options m_options;
+  Watched_visitor& m_visitor;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_SEARCH_H

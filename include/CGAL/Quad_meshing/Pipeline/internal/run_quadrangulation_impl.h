@@ -1,0 +1,343 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RUN_QUADRANGULATION_IMPL_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RUN_QUADRANGULATION_IMPL_H
+
+#include <CGAL/Quad_meshing/Pipeline/internal/Component_quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Surface_components.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// A quadrangulation of all components.
+class Quadrangulation_run
+{
+  typedef Quadrangulation_mesh Mesh;
+  typedef Quadrangulation_status Status;
+
+public:
+  Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor)
+    : m_input(input), m_options(options), m_visitor(visitor, options.maximum_running_time)
+  {}
+
+  Quadrangulation_result run(std::unique_ptr<Quadrangulation_surface>& surface, std::unique_ptr<Quadrangulation_quads>& quads)
+  {
+    Real_timer timer;
+    timer.start();
+    surface = std::make_unique<Quadrangulation_surface>();
+    quads = std::make_unique<Quadrangulation_quads>();
+    m_result.input_faces = m_input.triangles.size();
+    if(check_options() && check_points() && find_components() && choose_lengths())
+    {
+      quadrangulate_components();
+      join(surface, quads);
+      conclude(*quads);
+    }
+    m_result.total_seconds = timer.time();
+    return m_result;
+  }
+
+private:
+  bool refuse(const std::string& message)
+  {
+    m_result.status = Status::INVALID_INPUT;
+    m_result.message = message;
+    return false;
+  }
+
+  bool check_options()
+  {
+    if(m_options.target_edge_length < 0 || !std::isfinite(m_options.target_edge_length))
+      return refuse("The target edge length is not a positive number.");
+    if(asks_for_number() && !(m_options.target_number_of_quads > 0 && std::isfinite(m_options.target_number_of_quads)))
+      return refuse("The target number of quads is not a positive number.");
+    if(!(m_options.anisotropy_weight > 0 && m_options.anisotropy_weight <= 1))
+      return refuse("The anisotropy weight does not lie between 0, exclusive, and 1.");
+    if(m_options.number_of_threads == 0)
+      return refuse("The number of threads is zero.");
+    if(!(m_options.maximum_running_time > 0))
+      return refuse("The maximum running time is not a positive number.");
+    return true;
+  }
+
+  bool asks_for_number() const { return m_options.target_edge_length == 0; }
+
+  bool check_points()
+  {
+    if(m_input.triangles.empty())
+      return refuse("The mesh has no faces.");
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      for(int c = 0; c < 3; ++c)
+        if(!std::isfinite(m_input.points[i][c]))
+          return refuse("The vertex " + std::to_string(i) + " has a coordinate that is not a finite number.");
+    return true;
+  }
+
+  bool find_components()
+  {
+    Surface_components components(m_input);
+    if(!components.error.empty())
+      return refuse(components.error);
+    m_surfaces = std::move(components.surfaces);
+    m_result.components = m_surfaces.size();
+    m_result.divided_vertices = components.number_of_divided_vertices;
+    return true;
+  }
+
+  // All components get quads of one size. Where several are asked for together, one that is too small for a mesh of such quads
+  // gets smaller ones.
+  bool choose_lengths()
+  {
+    double area = 0;
+    std::vector<double> areas;
+    Bbox_3 box;
+    for(const auto& s : m_surfaces)
+    {
+      areas.push_back(Polygon_mesh_processing::area(s->mesh));
+      area += areas.back();
+      for(Mesh::Vertex_index v : s->mesh.vertices())
+        box += s->mesh.point(v).bbox();
+    }
+    if(!(area > 0))
+      return refuse("The mesh has no area.");
+    const double length = asks_for_number() ? std::sqrt(area / m_options.target_number_of_quads) : m_options.target_edge_length;
+    const double most_quads = 5e7; // vertices and faces of a mesh are numbered by 32 bits, halfedges in four times as many places
+    if(area / (length * length) > most_quads)
+      return refuse(asks_for_number() ? "More than 50 million quads are asked for." :
+                                        "The target edge length asks for more than 50 million quads.");
+    const double diagonal = std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
+    if(length > diagonal)
+      return refuse(asks_for_number() ? "The quads that are asked for are so few that one is larger than the model." :
+                                        "The target edge length is larger than the model.");
+    m_result.target_edge_length = length;
+    const double least_quads = 24; // four on each side of a cube
+    for(double a : areas)
+    {
+      Component_request request;
+      request.has_features = m_input.has_features();
+      request.length = m_surfaces.size() > 1 && a > 0 ? (std::min)(length, std::sqrt(a / least_quads)) : length;
+      request.number_of_quads = a / (request.length * request.length);
+      request.requested_quads = asks_for_number() ? request.number_of_quads : 0;
+      m_result.refined_components += request.length < length;
+      m_requests.push_back(request);
+    }
+    return true;
+  }
+
+  void quadrangulate_components()
+  {
+    // A component alone has all threads for its map; several share them.
+    Quadrangulation_options options = m_options;
+    const std::size_t workers = (std::min)(std::size_t(m_options.number_of_threads), m_surfaces.size());
+    if(workers > 1)
+      options.number_of_threads = 1;
+    for(std::size_t i = 0; i < m_surfaces.size(); ++i)
+      m_components.push_back(std::make_unique<Component_quadrangulation>(*m_surfaces[i], m_requests[i], m_input.directions, options,
+                                                                         m_visitor));
+    std::atomic<std::size_t> next(0);
+    auto work = [&]
+    {
+      for(std::size_t i; (i = next++) < m_components.size(); )
+        m_components[i]->run();
+    };
+    std::vector<std::thread> others;
+    for(std::size_t t = 1; t < workers; ++t)
+      others.emplace_back(work);
+    work();
+    for(std::thread& t : others)
+      t.join();
+  }
+
+  void join(std::unique_ptr<Quadrangulation_surface>& surface, std::unique_ptr<Quadrangulation_quads>& quads)
+  {
+    if(m_visitor.is_stopped())
+      return;
+    for(std::size_t i = 0; i < m_components.size(); ++i)
+    {
+      const std::size_t first_face = surface->mesh.number_of_faces();
+      if(m_components.size() == 1)
+        surface = std::move(m_surfaces.front());
+      else
+        surface->mesh += m_surfaces[i]->mesh; // with its maps, that have the same names
+      if(m_components[i]->quads)
+        append(*m_components[i]->quads, first_face, *quads);
+    }
+  }
+
+  static void append(Quadrangulation_quads& part, std::size_t first_face, Quadrangulation_quads& quads)
+  {
+    for(Mesh::Vertex_index v : part.mesh.vertices())
+      part.location[v].first = Mesh::Face_index(static_cast<Mesh::size_type>(part.location[v].first + first_face));
+    quads.mesh += part.mesh;
+  }
+
+  void conclude(const Quadrangulation_quads& quads)
+  {
+    double feature_length = 0, released_length = 0;
+    std::size_t valid = 0;
+    bool is_for_other_length = false;
+    double relative_length = 1;
+    for(std::size_t i = 0; i < m_components.size(); ++i)
+    {
+      const Quadrangulation_result& r = m_components[i]->result;
+      add_figures(r);
+      valid += r.is_valid();
+      m_result.failed_components += !m_components[i]->quads;
+      feature_length += m_components[i]->feature_length;
+      released_length += r.released_feature_share * m_components[i]->feature_length;
+      if(r.is_valid() && r.target_edge_length != m_requests[i].length)
+      {
+        is_for_other_length = true;
+        relative_length = r.target_edge_length / m_requests[i].length;
+      }
+    }
+    m_result.released_feature_share = feature_length > 0 ? released_length / feature_length : 0;
+    if(m_components.size() == 1 && m_components.front()->quads)
+      m_result.target_edge_length = m_components.front()->result.target_edge_length;
+    if(m_visitor.is_stopped())
+    {
+      m_result.status = Status::STOPPED;
+      m_result.message = "The visitor stopped the quadrangulation.";
+      m_result.quads = 0;
+      return;
+    }
+    if(valid == m_components.size())
+    {
+      m_result.status = Status::VALID;
+      m_result.message = "A pure quad mesh with the topology of the input";
+      if(is_for_other_length)
+        m_result.message += m_components.size() == 1 ?
+          ", for edges of length " + std::to_string(relative_length) + " times the one asked for" :
+          ", some components for edges of another length than asked for";
+    }
+    else if(m_components.size() == 1)
+    {
+      m_result.status = m_components.front()->result.status;
+      m_result.message = without_period(m_components.front()->result.message);
+    }
+    else
+      name_what_is_not_valid(quads);
+    add_remarks();
+    m_result.message += ".";
+  }
+
+  void add_figures(const Quadrangulation_result& r)
+  {
+    m_result.feature_edges += r.feature_edges;
+    m_result.dropped_feature_edges += r.dropped_feature_edges;
+    m_result.prepared_faces += r.prepared_faces;
+    m_result.singularities += r.singularities;
+    m_result.field_integers += r.field_integers;
+    m_result.field_energy += r.field_energy;
+    m_result.field_seconds += r.field_seconds;
+    m_result.parameterization_integers += r.parameterization_integers;
+    m_result.parameterization_energy += r.parameterization_energy;
+    m_result.relaxed_parameterization_energy += r.relaxed_parameterization_energy;
+    m_result.parameterization_seconds += r.parameterization_seconds;
+    m_result.parameterization_attempts += r.parameterization_attempts;
+    m_result.flipped_triangles += r.flipped_triangles;
+    m_result.quads += r.quads;
+    m_result.other_faces += r.other_faces;
+    m_result.irregular_vertices += r.irregular_vertices;
+    m_result.extraction_seconds += r.extraction_seconds;
+    m_result.folded_quads += r.folded_quads;
+    m_result.smoothing_seconds += r.smoothing_seconds;
+    m_result.structure_seconds += r.structure_seconds;
+  }
+
+  // A bad component does not cost the others: the message names those that are not as they should be.
+  void name_what_is_not_valid(const Quadrangulation_quads& quads)
+  {
+    m_result.status = quads.mesh.number_of_faces() > 0 ? Status::NOT_VALID : m_components.front()->result.status;
+    std::size_t bad = 0;
+    for(const auto& c : m_components)
+      bad += !c->result.is_valid();
+    m_result.message = std::to_string(bad) + " of " + std::to_string(m_components.size()) + " components " +
+                       (bad == 1 ? "has" : "have") + " no valid quad mesh";
+    const std::size_t most_named = 5;
+    std::size_t named = 0;
+    for(std::size_t i = 0; i < m_components.size() && named < most_named; ++i)
+      if(!m_components[i]->result.is_valid())
+      {
+        const std::size_t face = m_surfaces[i]->origin[*m_surfaces[i]->mesh.faces().begin()];
+        m_result.message += (named == 0 ? ": that of face " : "; that of face ") + std::to_string(face) + ": " +
+                            without_period(m_components[i]->result.message);
+        ++named;
+      }
+    if(bad > named)
+      m_result.message += "; and " + std::to_string(bad - named) + " more";
+  }
+
+  // What the result gave up of what was asked for, and why.
+  void add_remarks()
+  {
+    if(m_result.released_feature_share != 0)
+      m_result.message += "; " + std::to_string(std::lround(100 * m_result.released_feature_share)) +
+                          " percent of the length of the sharp edges left no room for quads along them and were not followed";
+    if(m_result.refined_components != 0)
+      m_result.message += "; " + std::to_string(m_result.refined_components) +
+                          (m_result.refined_components == 1 ? " small component has" : " small components have") + " smaller quads";
+    if(m_result.divided_vertices != 0)
+      m_result.message += "; " + std::to_string(m_result.divided_vertices) +
+                          (m_result.divided_vertices == 1 ? " vertex in which borders touch was" : " vertices in which borders touch were") +
+                          " divided";
+    if(m_visitor.is_time_up())
+      m_result.message += "; the time limit ended the search for a better one";
+    const double quads = static_cast<double>(m_result.quads + m_result.other_faces);
+    if(asks_for_number() && m_result.quads > 0 && !is_as_promised(quads, m_options.target_number_of_quads))
+      m_result.message += "; " + std::to_string(m_result.quads) + " quads instead of " +
+                          std::to_string(std::lround(m_options.target_number_of_quads)) +
+                          (quads > m_options.target_number_of_quads ?
+                             ", as narrow places between features, borders and singularities need at least a quad each" :
+                             m_options.optimize_structure ? ", as the coarser structure has room for no more" :
+                             ", as rounding to whole quads found no number nearer to it");
+  }
+
+  static std::string without_period(std::string sentence)
+  {
+    while(!sentence.empty() && sentence.back() == '.')
+      sentence.pop_back();
+    return sentence;
+  }
+
+  const Triangle_input& m_input;
+  const Quadrangulation_options& m_options;
+  Watched_visitor m_visitor;
+  Quadrangulation_result m_result;
+  std::vector<std::unique_ptr<Quadrangulation_surface> > m_surfaces;
+  std::vector<Component_request> m_requests;
+  std::vector<std::unique_ptr<Component_quadrangulation> > m_components;
+};
+
+CGAL_QUAD_MESHING_INLINE Quadrangulation_result
+run_quadrangulation(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor,
+                    std::unique_ptr<Quadrangulation_surface>& surface, std::unique_ptr<Quadrangulation_quads>& quads)
+{
+  return Quadrangulation_run(input, options, visitor).run(surface, quads);
+}
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RUN_QUADRANGULATION_IMPL_H

@@ -1,0 +1,337 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
+#define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
+
+#include <CGAL/Quad_meshing/Smoothing/internal/Quad_smoother.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Rectangle_energy.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+
+#include <Eigen/Core>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// Smooths a quad mesh on a reference surface by moving all vertices at once.
+//
+// If vertices have to go far together, the number of sweeps that move them one by one grows with the square of the distance in
+// quads. A step of Newton's method on the energy of all corners (see `Rectangle_energy`) needs one linear system, and takes
+// them as far as the tangent planes are close to the surface.
+//
+// The vertices of quads that would fold, or become much worse, stay where they are; those of quads that pay much more
+// after a step than before it go shorter ways next time, as the system gets a larger diagonal there.
+class Global_quad_smoother : public Quad_smoother
+{
+public:
+  // A quad may not become worse than this, if it was better, and not worse at all if it was worse. Where so few quads are below
+  // `guarded_jacobian` at first, that is the limit.
+  static constexpr double least_jacobian = 0.5, few_bad_quads = 0.001;
+  // Longest step at first, relative to the sides around the vertex, and its factor after a step that was of no use.
+  static constexpr double longest_first_step = 2, shorter = 0.5;
+  // How many useless steps in a row end the smoothing, and the part of the energy that a useful step saves.
+  static constexpr int most_useless_steps = 3;
+  static constexpr double least_gain = 0.01;
+  // Sweeps over the bad quads in the end.
+  static constexpr int mending_sweeps = 20;
+
+  using Quad_smoother::Quad_smoother;
+
+  // Moves all vertices that may move; false if it is not worth while to go on.
+  bool step()
+  {
+    if(m_limit < 0)
+    {
+      const double bad = std::count_if(m_jacobian.begin(), m_jacobian.end(), [](double j) { return j < guarded_jacobian; });
+      m_limit = bad <= few_bad_quads * m.number_of_faces() ? guarded_jacobian : least_jacobian;
+    }
+    update_scales();
+    number_unknowns();
+    if(m_number_of_unknowns == 0)
+      return false;
+    set_up();
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower, Preconditioner> solver;
+    solver.setTolerance(accuracy);
+    solver.setMaxIterations(most_solver_steps);
+    solver.compute(m_matrix);
+    if(solver.info() != Eigen::Success)
+      return false;
+    const Eigen::VectorXd x = solver.solve(-m_gradient);
+
+    std::vector<Vector_3> direction(m.number_of_vertices(), Vector_3(0, 0, 0));
+    double longest = 0;
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+      if(m_unknown[v][0] != -1)
+      {
+        for(int i = 0; i < 2; ++i)
+          if(m_unknown[v][i] != -1)
+            direction[v] = direction[v] + x[m_unknown[v][i]] * m_frame[v][i];
+        longest = (std::max)(longest, direction[v].squared_length() / m_scale[v]);
+      }
+    longest = std::sqrt(longest);
+    if(!(longest > 0 && longest < std::numeric_limits<double>::infinity()))
+      return false;
+    return move_all(direction, (std::min)(1., m_longest_step / longest));
+  }
+
+  // Moves the vertices of bad quads one by one.
+  void mend()
+  {
+    std::vector<char> is_bad;
+    bool any = true;
+    for(int sweep = 0; any && sweep < mending_sweeps; ++sweep)
+    {
+      update_scales();
+      is_bad.assign(m.number_of_vertices(), 0);
+      for(int f = 0; f < m.number_of_faces(); ++f)
+        if(m_jacobian[f] < guarded_jacobian)
+          for(int v : m.corners[f])
+            is_bad[v] = 1;
+      any = false;
+      for(int v = 0; v < m.number_of_vertices(); ++v)
+        if(is_bad[v])
+          any = mend(v) || any;
+    }
+  }
+
+private:
+  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int> > Preconditioner;
+
+  // Of the linear systems: relative size of the residual, and number of steps.
+  static constexpr double accuracy = 0.01;
+  static constexpr int most_solver_steps = 1000;
+  // What the diagonal gets at least, and at first where a step was too long, relative to the energy of an edge; and by which
+  // factors it grows and falls.
+  static constexpr double least_damping = 1e-6, first_damping = 0.3, more_damping = 10, less_damping = 0.3;
+  // A step was too long if a quad pays more than this part more, and at least so much for each corner.
+  static constexpr double tolerated_growth = 0.2, tolerated_rise = 0.02;
+
+  // Moves one vertex, unless this turns a quad over; whether it has gone far enough to go on.
+  bool mend(int v)
+  {
+    const Point_3 p = m.points[v];
+    const int place = m_place[v];
+    auto opposed_around = [&]
+    {
+      int number = 0;
+      for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+        number += is_opposed(m_corner[i] / 4);
+      return number;
+    };
+    const int opposed_before = opposed_around();
+    const double length = improve(v, true);
+    if(length > 0 && opposed_around() > opposed_before)
+    {
+      m_place[v] = place;
+      move(v, p);
+      return false;
+    }
+    return length * length > resting_step * resting_step * m_scale[v];
+  }
+
+  void number_unknowns()
+  {
+    m_frame.resize(m.number_of_vertices());
+    m_unknown.assign(m.number_of_vertices(), {{ -1, -1 }});
+    m_damping.resize(m.number_of_vertices(), 0);
+    m_number_of_unknowns = 0;
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+    {
+      if(m_kind[v] == fixed || m_is_off[v] || !(m_scale[v] > 0))
+        continue;
+      m_frame[v] = directions(v);
+      m_unknown[v][0] = m_number_of_unknowns++;
+      if(m_kind[v] == on_surface)
+        m_unknown[v][1] = m_number_of_unknowns++;
+    }
+  }
+
+  // The gradient of the energy and its matrix of second derivatives.
+  void set_up()
+  {
+    typedef Eigen::Matrix<double, 8, 1> Vector_8;
+    typedef Eigen::Matrix<double, 8, 8> Matrix_8;
+    m_gradient = Eigen::VectorXd::Zero(m_number_of_unknowns);
+    std::vector<Eigen::Triplet<double> > entries;
+    entries.reserve(36 * m.number_of_faces() + m_number_of_unknowns);
+    for(int f = 0; f < m.number_of_faces(); ++f)
+    {
+      const std::array<int, 4>& c = m.corners[f];
+      const Vector_3 x = unit_or_zero(m.points[c[2]] - m.points[c[0]]), y = cross_product(m_normal[f], x);
+      // the ways of each vertex in the plane of the quad
+      std::array<Eigen::Matrix2d, 4> ways;
+      for(int k = 0; k < 4; ++k)
+        for(int i = 0; i < 2; ++i)
+        {
+          ways[k](0, i) = m_unknown[c[k]][i] == -1 ? 0 : m_frame[c[k]][i] * x;
+          ways[k](1, i) = m_unknown[c[k]][i] == -1 ? 0 : m_frame[c[k]][i] * y;
+        }
+      Vector_8 gradient = Vector_8::Zero();
+      Matrix_8 matrix = Matrix_8::Zero();
+      for(int k = 0; k < 4; ++k)
+      {
+        const int next = (k + 1) & 3, prev = (k + 3) & 3;
+        const Vector_3 a = m.points[c[next]] - m.points[c[k]], b = m.points[c[prev]] - m.points[c[k]];
+        Rectangle_energy::Sides slope;
+        Eigen::Matrix4d curvature;
+        Rectangle_energy::derivatives(Rectangle_energy::Sides(a * x, a * y, b * x, b * y), m_area[f], slope, curvature);
+        Eigen::Matrix<double, 4, 8> sides = Eigen::Matrix<double, 4, 8>::Zero();
+        sides.block<2, 2>(0, 2 * next) = ways[next];
+        sides.block<2, 2>(2, 2 * prev) = ways[prev];
+        sides.block<2, 2>(0, 2 * k) = sides.block<2, 2>(2, 2 * k) = -ways[k];
+        gradient += sides.transpose() * slope;
+        matrix += sides.transpose() * curvature * sides;
+      }
+      for(int r = 0; r < 8; ++r)
+      {
+        const int u = m_unknown[c[r / 2]][r % 2];
+        if(u == -1)
+          continue;
+        m_gradient[u] += gradient[r];
+        for(int s = 0; s < 8; ++s)
+        {
+          const int w = m_unknown[c[s / 2]][s % 2];
+          if(w != -1 && w <= u)
+            entries.emplace_back(u, w, matrix(r, s));
+        }
+      }
+    }
+    for(int v = 0; v < m.number_of_vertices(); ++v)
+      for(int u : m_unknown[v])
+        if(u != -1)
+          entries.emplace_back(u, u, (least_damping + m_damping[v]) / m_scale[v]);
+    m_matrix.resize(m_number_of_unknowns, m_number_of_unknowns);
+    m_matrix.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  // Goes a part of the way; nothing has moved if that does not lessen the energy.
+  bool move_all(const std::vector<Vector_3>& direction, double part)
+  {
+    const int nv = m.number_of_vertices(), nf = m.number_of_faces();
+    m_points_before = m.points;
+    m_place_before = m_place;
+    m_normal_before = m_normal;
+    m_jacobian_before = m_jacobian;
+    m_was_opposed.resize(nf);
+    std::vector<double> energy_before(nf);
+    double before = 0, after = 0;
+    for(int f = 0; f < nf; ++f)
+    {
+      m_was_opposed[f] = is_opposed(f);
+      before += energy_before[f] = energy_of_quad(f);
+    }
+    for(int v = 0; v < nv; ++v)
+      if(m_unknown[v][0] != -1)
+      {
+        const Nearest nearest = walk_on_reference(v, m.points[v] + part * direction[v]);
+        m.points[v] = nearest.point;
+        m_place[v] = nearest.place;
+      }
+    std::vector<char> was_too_long = put_back();
+    for(int f = 0; f < nf; ++f)
+    {
+      const double energy = energy_of_quad(f);
+      after += energy;
+      if(energy - energy_before[f] > tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least) + 4 * tolerated_rise)
+        for(int v : m.corners[f])
+          was_too_long[v] = 1;
+    }
+    for(int v = 0; v < nv; ++v)
+      m_damping[v] = was_too_long[v] ? (std::max)(first_damping, more_damping * m_damping[v]) : less_damping * m_damping[v];
+
+    if(after < before)
+    {
+      m_useless_steps = 0;
+      return before - after > least_gain * (before - 4 * Rectangle_energy::least * nf);
+    }
+    m.points = m_points_before;
+    m_place = m_place_before;
+    m_normal = m_normal_before;
+    m_jacobian = m_jacobian_before;
+    m_longest_step *= shorter;
+    return ++m_useless_steps < most_useless_steps;
+  }
+
+  // Puts the vertices of quads that must not be as they are now back to where they were, as long as there are any; which ones.
+  std::vector<char> put_back()
+  {
+    std::vector<char> is_back(m.number_of_vertices(), 0);
+    std::vector<int> faces(m.number_of_faces()), around;
+    for(int f = 0; f < m.number_of_faces(); ++f)
+      faces[f] = f;
+    for(; !faces.empty(); faces.swap(around))
+    {
+      around.clear();
+      for(int f : faces)
+      {
+        update_face(f);
+        if(is_allowed(f))
+          continue;
+        for(int v : m.corners[f])
+          if(m_unknown[v][0] != -1 && !is_back[v])
+          {
+            is_back[v] = 1;
+            m.points[v] = m_points_before[v];
+            m_place[v] = m_place_before[v];
+            for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+              around.push_back(m_corner[i] / 4);
+          }
+      }
+    }
+    return is_back;
+  }
+
+  bool is_allowed(int f)
+  {
+    return m_jacobian[f] >= (std::min)(m_limit, m_jacobian_before[f])
+        && (m_jacobian_before[f] <= 0 || m_normal[f] * m_normal_before[f] > 0)
+        && (m_was_opposed[f] || !is_opposed(f));
+  }
+
+  double energy_of_quad(int f) const
+  {
+    const std::array<int, 4>& c = m.corners[f];
+    double sum = 0;
+    for(int k = 0; k < 4; ++k)
+      sum += Rectangle_energy::value(m.points[c[(k + 1) & 3]] - m.points[c[k]], m.points[c[(k + 3) & 3]] - m.points[c[k]],
+                                     m_normal[f], m_area[f]);
+    return sum;
+  }
+
+  std::vector<std::array<Vector_3, 2> > m_frame;      // per vertex: the directions in which it may go
+  std::vector<std::array<int, 2> > m_unknown;         // per vertex: how far along these, -1 where it may not
+  int m_number_of_unknowns = 0;
+  Eigen::VectorXd m_gradient;
+  Matrix m_matrix;                                    // its lower triangle
+  std::vector<double> m_damping;                      // per vertex
+  double m_limit = -1;                                // for Jacobians, set in the first step
+  double m_longest_step = longest_first_step;
+  int m_useless_steps = 0;
+
+  std::vector<Point_3> m_points_before;               // the mesh before a step
+  std::vector<int> m_place_before;
+  std::vector<Vector_3> m_normal_before;
+  std::vector<double> m_jacobian_before;
+  std::vector<char> m_was_opposed;
+};
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_GLOBAL_QUAD_SMOOTHER_H
