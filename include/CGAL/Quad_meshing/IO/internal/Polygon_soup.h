@@ -37,6 +37,9 @@ struct Polygon_soup
   std::size_t impossible_corner = static_cast<std::size_t>(-1);
   long long impossible_index = 0;
 
+  // The relative accuracy of coordinates: single precision where the format stores them so.
+  double rounding_unit = std::numeric_limits<double>::epsilon();
+
   // Elements of the file that are no polygons and were passed over.
   std::size_t number_of_lines = 0, number_of_points = 0;
 
@@ -59,6 +62,8 @@ struct Polygon_soup
     else
       corners.push_back(static_cast<Soup_index>(v));
   }
+
+  void set_single_precision() { rounding_unit = static_cast<double>(std::numeric_limits<float>::epsilon()); }
 
   void end_polygon() { first_corner.push_back(static_cast<Soup_index>(corners.size())); }
 

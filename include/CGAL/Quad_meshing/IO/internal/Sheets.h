@@ -158,18 +158,18 @@ private:
 
   bool join_sides_at_places(std::vector<Soup_index> left, Mesh_reading_result& result)
   {
+    typedef std::pair<Soup_index, Soup_index> Ends;
     auto ends = [&](Soup_index s)
-    { return std::minmax(m_triangles.source_place(s), m_triangles.target_place(s)); };
-    std::sort(left.begin(), left.end(), [&](Soup_index s, Soup_index t)
     {
-      const auto a = ends(s), b = ends(t);
-      const std::pair<Soup_index, Soup_index> p(a.first, a.second), q(b.first, b.second);
-      return std::tie(p, s) < std::tie(q, t);
-    });
+      const Soup_index a = m_triangles.source_place(s), b = m_triangles.target_place(s);
+      return Ends((std::min)(a, b), (std::max)(a, b));
+    };
+    std::sort(left.begin(), left.end(),
+              [&](Soup_index s, Soup_index t) { return std::make_pair(ends(s), s) < std::make_pair(ends(t), t); });
     for(std::size_t i = 0, j; i < left.size(); i = j)
     {
-      const std::pair<Soup_index, Soup_index> edge = ends(left[i]);
-      for(j = i + 1; j < left.size() && std::pair<Soup_index, Soup_index>(ends(left[j])) == edge;)
+      const Ends edge = ends(left[i]);
+      for(j = i + 1; j < left.size() && ends(left[j]) == edge;)
         ++j;
       if(j - i > 2)
         m_fans.push_back({ edge.first, edge.second, std::vector<Soup_index>(left.begin() + i, left.begin() + j) });

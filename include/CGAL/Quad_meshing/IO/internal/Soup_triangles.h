@@ -56,6 +56,12 @@ struct Soup_triangles
 
   Soup_index other_side_of(std::size_t f) const { return other_side.empty() ? no_index : other_side[f]; }
 
+  void set_other_side(std::size_t f, Soup_index face)
+  {
+    other_side.resize(corners.size(), no_index);
+    other_side[f] = face;
+  }
+
   // Keeps the triangles for which `keeps` says so, in their order.
   template <typename Keeps>
   void keep_if(Keeps keeps)

@@ -9,12 +9,12 @@
 #ifndef CGAL_QUAD_MESHING_IO_INTERNAL_TRIANGLE_SURFACE_IMPL_H
 #define CGAL_QUAD_MESHING_IO_INTERNAL_TRIANGLE_SURFACE_IMPL_H
 
+#include <CGAL/Quad_meshing/IO/internal/Copied_triangles.h>
 #include <CGAL/Quad_meshing/IO/internal/Sheets.h>
 #include <CGAL/Quad_meshing/IO/internal/Soup_places.h>
 #include <CGAL/Quad_meshing/IO/internal/Soup_triangles.h>
 #include <CGAL/Quad_meshing/IO/internal/Surface_vertices.h>
 #include <CGAL/Quad_meshing/IO/internal/Triangle_surface.h>
-#include <CGAL/Quad_meshing/IO/internal/drop_copies.h>
 #include <CGAL/Quad_meshing/IO/internal/find_cracks.h>
 #include <CGAL/Quad_meshing/IO/internal/flatten_triangles.h>
 #include <CGAL/Quad_meshing/IO/internal/read_soup_file.h>
@@ -43,6 +43,7 @@ class Surface_maker
   Triangle_surface& m_surface;
   Mesh_reading_result& m_result;
   Soup_size m_size;
+  Flatness m_is_flat;
   Soup_triangles m_triangles;
   std::vector<std::array<Soup_index, 2> > m_diagonals; // pairs of sides that cut a polygon
   std::vector<Soup_index> m_partner;
@@ -50,8 +51,7 @@ class Surface_maker
   std::vector<char> m_is_named;        // per vertex of the file: whether a face names it
   std::vector<Soup_index> m_vertex_of; // per vertex of the file: the one that stands for it
   std::vector<Soup_index> m_origin;    // of vertices that were added
-  Polygon_soup m_places;               // the polygons as cycles of places
-  std::optional<Side_groups> m_groups; // the sides of the triangles, if they are known
+  std::optional<Side_groups> m_groups; // the sides of the triangles
   std::size_t m_number_of_file_vertices, m_number_of_file_faces, m_number_of_lines, m_number_of_points;
 
 public:
@@ -61,6 +61,7 @@ public:
     , m_surface(surface)
     , m_result(result)
     , m_size(soup.points)
+    , m_is_flat(m_size, soup.rounding_unit)
     , m_number_of_file_vertices(soup.points.size())
     , m_number_of_file_faces(soup.size())
     , m_number_of_lines(soup.number_of_lines)
@@ -72,10 +73,9 @@ public:
     find_places();
     if(!make_triangles() || !flatten())
       return false;
-    if(!m_groups)
-      m_groups.emplace(m_triangles.number_of_sides(), m_triangles.points.size(),
-                       [&](std::size_t s) { return m_triangles.source(s); },
-                       [&](std::size_t s) { return m_triangles.target(s); });
+    group_sides();
+    if(m_repairs.drop_copies && may_have_copies())
+      drop_copies();
     Sheets sheets(m_triangles, m_repairs);
     if(!sheets(m_diagonals, *m_groups, m_result))
       return false;
@@ -174,52 +174,44 @@ private:
     if(m_soup.size() == 0)
       return refuse(Mesh_reading_status::NO_FACES, "No face has three distinct vertices.");
 
-    Copied_polygons copies(as_places(), m_triangles.points, m_size);
-    const bool has_copies = m_repairs.drop_copies && may_have_copies() && copies();
     auto file_face = [&](std::size_t f) { return face_of.empty() ? static_cast<Soup_index>(f) : face_of[f]; };
-    if(has_copies)
-    {
-      m_result.counts.copied_faces = copies.number_dropped;
-      m_result.counts.other_sides = copies.number_of_sides;
-      m_result.counts.fin_faces = copies.number_in_fins;
-      for(std::size_t f = 0; f < m_soup.size(); ++f)
-        if(copies.is_dropped(f) && copies.stays_for(f) != no_index)
-          m_copies.insert(m_copies.end(), { file_face(f), file_face(copies.stays_for(f)) });
-      m_groups.reset();
-    }
-
     m_triangles.corners.reserve(m_soup.size());
     m_triangles.file_face.reserve(m_soup.size());
     Polygon_triangulator triangulate;
     std::vector<Soup_vector> corners;
     for(std::size_t f = 0; f < m_soup.size(); ++f)
     {
-      if(has_copies && copies.is_dropped(f))
-        continue;
-      const Soup_index other = has_copies && copies.other_side(f) != no_index ? file_face(copies.other_side(f)) : no_index;
       const Soup_index* const v = m_soup.begin(f);
       if(m_soup.size(f) == 3)
       {
-        m_triangles.add({{ v[0], v[1], v[2] }}, file_face(f), other);
+        m_triangles.add({{ v[0], v[1], v[2] }}, file_face(f), no_index);
         continue;
       }
       ++m_result.counts.triangulated_polygons;
+      // Copies of a polygon are cut alike, wherever they begin and in both directions.
+      std::vector<Soup_index> cycle(v, v + m_soup.size(f));
+      auto is_at_smaller_place = [&](Soup_index a, Soup_index b) { return place(a) < place(b); };
+      std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end(), is_at_smaller_place), cycle.end());
+      const bool is_reversed = is_at_smaller_place(cycle.back(), cycle[1]);
+      if(is_reversed)
+        std::reverse(cycle.begin() + 1, cycle.end());
       corners.clear();
-      for(std::size_t k = 0; k < m_soup.size(f); ++k)
-        corners.push_back(m_triangles.points[v[k]]);
-      add_polygon(v, triangulate(corners), file_face(f), other);
+      for(Soup_index a : cycle)
+        corners.push_back(m_triangles.points[a]);
+      add_polygon(cycle, triangulate(corners), is_reversed, file_face(f));
     }
     m_soup = Polygon_soup();
-    m_places = Polygon_soup();
     return true;
   }
 
-  void add_polygon(const Soup_index* v, const std::vector<std::array<std::size_t, 3> >& triangles, Soup_index face,
-                   Soup_index other)
+  void add_polygon(const std::vector<Soup_index>& v, const std::vector<std::array<std::size_t, 3> >& triangles,
+                   bool is_reversed, Soup_index face)
   {
     std::vector<std::pair<std::array<std::size_t, 2>, Soup_index> > sides; // positions in the polygon, side
-    for(const std::array<std::size_t, 3>& t : triangles)
+    for(std::array<std::size_t, 3> t : triangles)
     {
+      if(is_reversed)
+        std::swap(t[0], t[2]);
       const std::array<Soup_index, 3> c = {{ v[t[0]], v[t[1]], v[t[2]] }};
       // A polygon that touches itself has corners at one place.
       if(place(c[0]) == place(c[1]) || place(c[1]) == place(c[2]) || place(c[2]) == place(c[0]))
@@ -227,7 +219,7 @@ private:
       for(std::size_t k = 0; k < 3; ++k)
         sides.push_back({ {{ (std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]) }},
                           static_cast<Soup_index>(m_triangles.number_of_sides() + k) });
-      m_triangles.add(c, face, other);
+      m_triangles.add(c, face, no_index);
     }
     std::sort(sides.begin(), sides.end());
     for(std::size_t i = 0; i + 1 < sides.size(); ++i)
@@ -240,44 +232,64 @@ private:
     return "There " + std::string(n == 1 ? "is " : "are ") + count_of(n, "face", "faces") + " with";
   }
 
-  const Polygon_soup& as_places()
+  void group_sides()
   {
-    if(m_triangles.place.empty())
-      return m_soup;
-    m_places.first_corner = m_soup.first_corner;
-    m_places.corners = m_soup.corners;
-    for(Soup_index& v : m_places.corners)
-      v = m_triangles.place[v];
-    return m_places;
+    m_groups.emplace(m_triangles.number_of_sides(), m_triangles.points.size(),
+                     [&](std::size_t s) { return m_triangles.source(s); },
+                     [&](std::size_t s) { return m_triangles.target(s); });
   }
 
-  // Whether two polygons may have the same vertices. In a triangle mesh that takes an edge with more than two triangles, or
-  // two triangles at an edge with the same third vertex.
-  bool may_have_copies()
+  // Whether two triangles may have the same corners. That takes an edge with more than two triangles, or two triangles at
+  // an edge with the same third corner.
+  bool may_have_copies() const
   {
-    const Polygon_soup& soup = m_triangles.place.empty() ? m_soup : m_places;
-    if(soup.corners.size() != 3 * soup.size())
-      return true;
-    for(std::size_t f = 0; f < soup.size(); ++f)
-      if(soup.size(f) != 3)
-        return true;
-    const std::vector<Soup_index>& c = soup.corners;
-    m_groups.emplace(c.size(), m_triangles.points.size(), [&](std::size_t s) { return c[s]; },
-                     [&](std::size_t s) { return c[Soup_triangles::next(s)]; });
+    if(!m_triangles.place.empty())
+      return true; // the groups are those of vertices, not of places
     bool result = false;
     m_groups->for_each([&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
     {
       result = result || sides.size() > 2 ||
-               (sides.size() == 2 && c[Soup_triangles::previous(sides[0])] == c[Soup_triangles::previous(sides[1])]);
+               (sides.size() == 2 && m_triangles.source(Soup_triangles::previous(sides[0])) ==
+                                       m_triangles.source(Soup_triangles::previous(sides[1])));
     });
-    if(!m_triangles.place.empty())
-      m_groups.reset(); // these are places, not vertices
     return result;
+  }
+
+  void drop_copies()
+  {
+    Copied_triangles copies(m_triangles, m_size);
+    if(!copies())
+      return;
+    // Faces are counted, not their triangles.
+    std::vector<char> is_counted(m_number_of_file_faces, 0);
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+    {
+      const Soup_index face = m_triangles.file_face[f];
+      if(copies.other_side(f) != no_index)
+        m_triangles.set_other_side(f, m_triangles.file_face[copies.other_side(f)]);
+      if(!copies.is_dropped(f))
+        continue;
+      if(!copies.is_in_fin(f))
+        m_copies.insert(m_copies.end(), { face, m_triangles.file_face[copies.stays_for(f)] });
+      if(is_counted[face])
+        continue;
+      is_counted[face] = 1;
+      if(copies.is_in_fin(f))
+        ++m_result.counts.fin_faces;
+      else
+      {
+        ++m_result.counts.copied_faces;
+        m_result.counts.other_sides += copies.is_other_side(f);
+      }
+    }
+    m_triangles.keep_if([&](std::size_t f) { return !copies.is_dropped(f); });
+    m_diagonals.clear(); // sides have other numbers now
+    group_sides();
   }
 
   bool flatten()
   {
-    Flat_triangles flat(m_triangles, m_size.vanishing_length());
+    Flat_triangles flat(m_triangles, m_is_flat);
     const std::size_t number = flat.find().size();
     if(number == m_triangles.size())
       return refuse(Mesh_reading_status::NO_FACES, "No face has an area.");
@@ -286,7 +298,6 @@ private:
     flat();
     m_result.counts.flattened_faces = flat.number_removed;
     m_diagonals.clear(); // sides have other numbers now
-    m_groups.reset();
     return true;
   }
 
@@ -384,7 +395,7 @@ private:
     int longest = 0;
     const std::vector<Polygon_soup::Point>& p = m_surface.points;
     for(const auto& t : m_surface.triangles)
-      m_result.number_of_degenerate_faces += is_flat(p[t[0]], p[t[1]], p[t[2]], m_size.vanishing_length(), longest);
+      m_result.number_of_degenerate_faces += m_is_flat(p[t[0]], p[t[1]], p[t[2]], longest);
     const Cracks cracks = find_cracks(m_surface, m_size.diagonal);
     m_result.number_of_crack_edges = cracks.number_of_edges;
     m_crack_width = cracks.width;

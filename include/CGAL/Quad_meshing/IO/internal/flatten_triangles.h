@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Removes triangles without a height. The longest side of such a triangle holds its third vertex, so the surface, as a
+// Removes triangles without a height, see Flatness. The longest side of such a triangle holds its third vertex, so the surface, as a
 // set of points, stays what it is if that vertex is inserted into the other triangles at that side and the flat one is
 // taken away. Two flat triangles with the same vertices go together.
 //
@@ -32,7 +32,7 @@ namespace internal {
 class Flat_triangles
 {
   Soup_triangles& m_triangles;
-  const double m_vanishing_length;
+  const Flatness m_is_flat;
   std::vector<char> m_is_removed;
   std::vector<char> m_is_marked; // per place: all triangles there are in the table
   std::unordered_map<std::uint64_t, std::vector<Soup_index> > m_at_side;
@@ -40,9 +40,9 @@ class Flat_triangles
 public:
   std::size_t number_removed = 0;
 
-  Flat_triangles(Soup_triangles& triangles, double vanishing_length)
+  Flat_triangles(Soup_triangles& triangles, const Flatness& is_flat)
     : m_triangles(triangles)
-    , m_vanishing_length(vanishing_length)
+    , m_is_flat(is_flat)
   {}
 
   // The triangles that are flat.
@@ -81,7 +81,7 @@ public:
 private:
   bool is_flat_triangle(std::size_t f, int& longest) const
   {
-    return is_flat(m_triangles.point(f, 0), m_triangles.point(f, 1), m_triangles.point(f, 2), m_vanishing_length, longest);
+    return m_is_flat(m_triangles.point(f, 0), m_triangles.point(f, 1), m_triangles.point(f, 2), longest);
   }
 
   Soup_index place(std::size_t f, std::size_t k) const { return m_triangles.place_of(m_triangles.corners[f][k % 3]); }

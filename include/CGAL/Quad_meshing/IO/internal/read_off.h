@@ -163,6 +163,7 @@ inline void read_off_binary(Text_scanner& in, const Off_header& header, std::siz
     in.fail("the file ends within the header");
   if(!check_off_counts(in, nv, nf, size))
     return;
+  soup.set_single_precision();
   for(std::size_t i = 0; i < static_cast<std::size_t>(nv); ++i)
   {
     std::array<double, 4> x = {{ 0, 0, 0, 1 }};

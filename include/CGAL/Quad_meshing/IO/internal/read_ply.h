@@ -252,6 +252,8 @@ private:
           const std::size_t i = element.find(name);
           if(i == Ply_element::none || element.properties[i].count_type != Ply_type::NONE)
             m_in.fail(std::string("the vertices have no coordinate ") + name);
+          else if(element.properties[i].type == Ply_type::FLOAT32)
+            m_soup.set_single_precision();
         }
       if(element.name == "face" || element.name == "tristrips")
       {

@@ -43,6 +43,7 @@ public:
 
   void operator()()
   {
+    m_soup.set_single_precision(); // text, too, is mostly written from such numbers
     // The header of a binary file may begin with "solid" too: its size tells.
     if(has_binary_size() || !begins_with_solid())
       read_binary();

@@ -64,8 +64,8 @@ struct Soup_size
     diagonal = soup_distance(low, high);
   }
 
-  // Lengths up to this one are rounding: eight units in the last place of the largest coordinate. Sums and products of
-  // three coordinates, and their conversion from decimal digits, lose up to that much.
+  // Lengths up to this one are rounding of computations in double precision: eight units in the last place of the largest
+  // coordinate. Sums and products of three coordinates, and their conversion from decimal digits, lose up to that much.
   double vanishing_length() const
   {
     constexpr double units = 8;
@@ -73,20 +73,48 @@ struct Soup_size
   }
 };
 
-// Whether the height of a triangle over its longest side vanishes. `longest` becomes the corner where that side begins.
-inline bool is_flat(const Soup_vector& p, const Soup_vector& q, const Soup_vector& r, double vanishing_length,
-                    int& longest)
+// Tells whether a triangle is flat.
+class Flatness
 {
-  const std::array<Soup_vector, 3> sides = {{ soup_difference(q, p), soup_difference(r, q), soup_difference(p, r) }};
-  const std::array<double, 3> lengths = {{ soup_length(sides[0]), soup_length(sides[1]), soup_length(sides[2]) }};
-  longest = static_cast<int>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
-  const double l = lengths[static_cast<std::size_t>(longest)];
-  if(!(l > vanishing_length))
-    return true;
-  // The cross product of scaled vectors, which cannot underflow.
-  const Soup_vector u = soup_scaled(sides[0], 1 / l), v = soup_scaled(sides[1], 1 / l);
-  return soup_length(soup_cross(u, v)) * l <= vanishing_length;
-}
+  double m_vanishing_length, m_unit;
+
+  // A vertex that was rounded to the accuracy of the file is off a line through two other such vertices by less than four
+  // units in the last place of the largest coordinate.
+  static constexpr double units = 4;
+  // What is called flat on account of the accuracy of the file must be a sliver too, with its middle vertex well between
+  // the others: not a triangle of a mesh that is as fine as its file can say.
+  static constexpr double largest_sliver = 1e-3; // height over the longest side
+  static constexpr double shortest_side = 10;    // in heights
+
+public:
+  Flatness(const Soup_size& size, double rounding_unit)
+    : m_vanishing_length(size.vanishing_length())
+    , m_unit(rounding_unit)
+  {}
+
+  // Whether the height over the longest side is rounding. `longest` becomes the corner where that side begins.
+  bool operator()(const Soup_vector& p, const Soup_vector& q, const Soup_vector& r, int& longest) const
+  {
+    const std::array<Soup_vector, 3> sides = {{ soup_difference(q, p), soup_difference(r, q), soup_difference(p, r) }};
+    const std::array<double, 3> lengths = {{ soup_length(sides[0]), soup_length(sides[1]), soup_length(sides[2]) }};
+    const auto largest = std::max_element(lengths.begin(), lengths.end());
+    longest = static_cast<int>(largest - lengths.begin());
+    if(!(*largest > m_vanishing_length))
+      return true;
+    // The cross product of scaled vectors, which cannot underflow.
+    const Soup_vector u = soup_scaled(sides[0], 1 / *largest), v = soup_scaled(sides[1], 1 / *largest);
+    const double height = soup_length(soup_cross(u, v)) * *largest;
+    if(height <= m_vanishing_length)
+      return true;
+    if(height > largest_sliver * *largest || height * shortest_side > *std::min_element(lengths.begin(), lengths.end()))
+      return false;
+    double coordinate = 0;
+    for(const Soup_vector* x : { &p, &q, &r })
+      for(double c : *x)
+        coordinate = (std::max)(coordinate, std::abs(c));
+    return height <= units * m_unit * coordinate;
+  }
+};
 
 // Angles around an edge, counterclockwise as it is looked at from its second end.
 class Angles_around_edge

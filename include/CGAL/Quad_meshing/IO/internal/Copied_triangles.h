@@ -6,11 +6,10 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_IO_INTERNAL_DROP_COPIES_H
-#define CGAL_QUAD_MESHING_IO_INTERNAL_DROP_COPIES_H
+#ifndef CGAL_QUAD_MESHING_IO_INTERNAL_COPIED_TRIANGLES_H
+#define CGAL_QUAD_MESHING_IO_INTERNAL_COPIED_TRIANGLES_H
 
-#include <CGAL/Quad_meshing/IO/internal/Point_numbers.h>
-#include <CGAL/Quad_meshing/IO/internal/Polygon_soup.h>
+#include <CGAL/Quad_meshing/IO/internal/Soup_triangles.h>
 #include <CGAL/Quad_meshing/IO/internal/soup_geometry.h>
 #include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
 
@@ -18,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -27,7 +25,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Decides about polygons with the same vertices, given as cycles of places without repetitions:
+// Decides about triangles with their corners at the same three places:
 //
 //  - of copies in one direction the first one stays;
 //  - of the two sides of a face one stays, wherever nothing else is there: sheets and solids whose every face is there
@@ -36,7 +34,7 @@ namespace internal {
 //  - none stays in a small fin that stands off a surface which is complete without it.
 //
 // The last three are decided for whole regions of double faces, joined by edges that no other face has.
-class Copied_polygons
+class Copied_triangles
 {
   // Fins are rests of modelling operations; larger ones are somebody's flags and leaves.
   static constexpr std::size_t most_faces_of_fin = 4;
@@ -44,7 +42,7 @@ class Copied_polygons
 
   struct Double
   {
-    std::array<Soup_index, 2> copy; // the first polygon of each direction, no_index if there is none
+    std::array<Soup_index, 2> copy; // the first triangle of each direction, no_index if there is none
     std::size_t region;
   };
 
@@ -54,7 +52,7 @@ class Copied_polygons
     std::size_t number_of_doubles;
     std::size_t first_double;
     std::size_t number_of_singles;
-    std::array<std::pair<Soup_index, bool>, 2> single; // polygon, and whether it runs upwards; the first two
+    std::array<std::pair<Soup_index, bool>, 2> single; // triangle, and whether it runs upwards; the first two
   };
 
   struct Region
@@ -67,34 +65,28 @@ class Copied_polygons
     bool divides = true;      // there is material on both of its sides wherever it is attached
   };
 
-  const Polygon_soup& m_places; // the corners are places; the points lie elsewhere
-  const std::vector<Soup_vector>& m_points;
+  const Soup_triangles& m_triangles;
   const double m_largest_area;
   std::vector<char> m_is_dropped;
   std::vector<Soup_index> m_other_side;
   std::vector<Soup_index> m_original; // of a dropped copy: the one that may have stayed
   std::vector<Double> m_doubles;
-  std::vector<Soup_index> m_double_of; // per polygon
+  std::vector<Soup_index> m_double_of; // per triangle
   std::vector<Double_edge> m_edges;
   std::vector<Region> m_regions;
 
 public:
-  std::size_t number_dropped = 0;     // copies
-  std::size_t number_of_sides = 0;    // those among them that were the other side of what stays
-  std::size_t number_in_fins = 0;     // polygons
-
-  Copied_polygons(const Polygon_soup& places, const std::vector<Soup_vector>& points, const Soup_size& size)
-    : m_places(places)
-    , m_points(points)
+  Copied_triangles(const Soup_triangles& triangles, const Soup_size& size)
+    : m_triangles(triangles)
     , m_largest_area(largest_area_of_fin * size.diagonal * size.diagonal)
   {}
 
-  // Returns false if there are no copies; else is_dropped() and other_side() are there.
+  // Returns false if there are no copies; else is_dropped() and the others are there.
   bool operator()()
   {
     find_doubles();
     if(m_doubles.empty())
-      return number_dropped > 0;
+      return false;
     collect_edges();
     make_regions();
     for(Double& d : m_doubles)
@@ -104,7 +96,13 @@ public:
 
   bool is_dropped(std::size_t f) const { return m_is_dropped[f] != 0; }
 
-  // The polygon that stays for f, no_index if none does.
+  // Whether a triangle was dropped and no other one stays for it.
+  bool is_in_fin(std::size_t f) const { return m_is_dropped[f] && stays_for(f) == no_index; }
+
+  // Whether a triangle was dropped as the other side of one that stays.
+  bool is_other_side(std::size_t f) const { return m_is_dropped[f] && stays_for(f) != no_index && m_other_side[stays_for(f)] == f; }
+
+  // The triangle that stays for f, no_index if none does.
   Soup_index stays_for(std::size_t f) const
   {
     Soup_index g = static_cast<Soup_index>(f);
@@ -113,80 +111,58 @@ public:
     return g;
   }
 
-  // The polygon that was dropped as the other side of f, no_index if there is none.
+  // The triangle that was dropped as the other side of f, no_index if there is none.
   Soup_index other_side(std::size_t f) const { return m_other_side[f]; }
 
 private:
-  // The cycle from its smallest place in the direction of its smaller neighbor, and whether that reverses it.
-  std::pair<std::vector<Soup_index>, bool> canonical(std::size_t f) const
-  {
-    std::vector<Soup_index> cycle(m_places.begin(f), m_places.end(f));
-    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
-    const bool is_reversed = cycle[1] > cycle.back();
-    if(is_reversed)
-      std::reverse(cycle.begin() + 1, cycle.end());
-    return { std::move(cycle), is_reversed };
-  }
-
   void find_doubles()
   {
-    const std::size_t n = m_places.size();
+    struct Sorted
+    {
+      std::array<Soup_index, 3> places; // in ascending order
+      Soup_index triangle;
+      bool is_odd; // the order of the corners
+    };
+    const std::size_t n = m_triangles.size();
     m_is_dropped.assign(n, 0);
     m_other_side.assign(n, no_index);
     m_original.assign(n, no_index);
-    std::vector<std::pair<std::uint64_t, Soup_index> > hashes(n);
+    std::vector<Sorted> sorted;
+    sorted.reserve(n);
     for(std::size_t f = 0; f < n; ++f)
     {
-      std::uint64_t sum = 0;
-      for(const Soup_index* v = m_places.begin(f); v != m_places.end(f); ++v)
-        sum += mixed_bits(*v + std::uint64_t(1));
-      hashes[f] = { sum, static_cast<Soup_index>(f) };
+      std::array<Soup_index, 3> p = {{ place(f, 0), place(f, 1), place(f, 2) }};
+      const bool is_odd = (p[0] > p[1]) != (p[1] > p[2]) ? p[0] < p[2] : p[0] > p[2];
+      std::sort(p.begin(), p.end());
+      sorted.push_back({ p, static_cast<Soup_index>(f), is_odd });
     }
-    std::sort(hashes.begin(), hashes.end());
+    std::sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b)
+              { return std::tie(a.places, a.triangle) < std::tie(b.places, b.triangle); });
     for(std::size_t i = 0, j; i < n; i = j)
     {
-      for(j = i + 1; j < n && hashes[j].first == hashes[i].first;)
-        ++j;
-      if(j - i > 1)
-        sort_copies(hashes.data() + i, hashes.data() + j);
-    }
-    std::sort(m_doubles.begin(), m_doubles.end(), [](const Double& a, const Double& b)
-              { return (std::min)(a.copy[0], a.copy[1]) < (std::min)(b.copy[0], b.copy[1]); });
-  }
-
-  // Polygons with one hash, in ascending order.
-  void sort_copies(const std::pair<std::uint64_t, Soup_index>* begin, const std::pair<std::uint64_t, Soup_index>* end)
-  {
-    typedef std::pair<std::vector<Soup_index>, bool> Cycle;
-    std::vector<std::tuple<std::vector<Soup_index>, Soup_index, bool> > cycles;
-    for(const auto* it = begin; it != end; ++it)
-    {
-      Cycle cycle = canonical(it->second);
-      cycles.emplace_back(std::move(cycle.first), it->second, cycle.second);
-    }
-    std::sort(cycles.begin(), cycles.end());
-    for(std::size_t i = 0, j; i < cycles.size(); i = j)
-    {
       Double d = { {{ no_index, no_index }}, 0 };
-      for(j = i; j < cycles.size() && std::get<0>(cycles[j]) == std::get<0>(cycles[i]); ++j)
+      for(j = i; j < n && sorted[j].places == sorted[i].places; ++j)
       {
-        const Soup_index f = std::get<1>(cycles[j]);
-        Soup_index& first = d.copy[std::get<2>(cycles[j])];
+        const Soup_index f = sorted[j].triangle;
+        Soup_index& first = d.copy[sorted[j].is_odd];
         if(first == no_index)
           first = f;
         else
         {
           m_is_dropped[f] = 1;
           m_original[f] = first;
-          ++number_dropped;
         }
       }
       if(j - i > 1)
         m_doubles.push_back(d);
     }
+    std::sort(m_doubles.begin(), m_doubles.end(),
+              [&](const Double& a, const Double& b) { return first_copy(a) < first_copy(b); });
   }
 
-  // The polygon of a double that comes first in the file.
+  Soup_index place(std::size_t f, std::size_t k) const { return m_triangles.place_of(m_triangles.corners[f][k]); }
+
+  // The triangle of a double that comes first in the file.
   Soup_index first_copy(const Double& d) const { return (std::min)(d.copy[0], d.copy[1]); }
 
   Double_edge* find_edge(Soup_index a, Soup_index b)
@@ -201,15 +177,14 @@ private:
   template <typename F>
   void for_each_side(std::size_t f, F call) const
   {
-    const std::size_t n = m_places.size(f);
-    for(std::size_t k = 0; k < n; ++k)
-      call(m_places.begin(f)[k], m_places.begin(f)[k + 1 == n ? 0 : k + 1]);
+    for(std::size_t k = 0; k < 3; ++k)
+      call(place(f, k), place(f, (k + 1) % 3));
   }
 
   void collect_edges()
   {
-    m_double_of.assign(m_places.size(), no_index);
-    std::vector<char> is_touched(m_points.size(), 0);
+    m_double_of.assign(m_triangles.size(), no_index);
+    std::vector<char> is_touched(m_triangles.points.size(), 0);
     std::vector<std::array<Soup_index, 3> > sides; // low, high, double
     for(std::size_t d = 0; d < m_doubles.size(); ++d)
     {
@@ -229,7 +204,7 @@ private:
         m_edges.push_back({ side[0], side[1], 0, side[2], 0, {} });
       ++m_edges.back().number_of_doubles;
     }
-    for(std::size_t f = 0; f < m_places.size(); ++f)
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
     {
       if(m_double_of[f] != no_index || m_is_dropped[f])
         continue;
@@ -275,26 +250,10 @@ private:
     }
   }
 
-  Soup_vector centroid(std::size_t f) const
-  {
-    Soup_vector sum = {{ 0, 0, 0 }};
-    for(const Soup_index* v = m_places.begin(f); v != m_places.end(f); ++v)
-      for(std::size_t k = 0; k < 3; ++k)
-        sum[k] += m_points[*v][k];
-    return soup_scaled(sum, 1. / static_cast<double>(m_places.size(f)));
-  }
-
   double area(std::size_t f) const
   {
-    Soup_vector sum = {{ 0, 0, 0 }};
-    const Polygon_soup::Point& o = m_points[*m_places.begin(f)];
-    for_each_side(f, [&](Soup_index a, Soup_index b)
-    {
-      const Soup_vector n = soup_cross(soup_difference(m_points[a], o), soup_difference(m_points[b], o));
-      for(std::size_t k = 0; k < 3; ++k)
-        sum[k] += n[k];
-    });
-    return 0.5 * soup_length(sum);
+    const Soup_vector& p = m_triangles.point(f, 0);
+    return 0.5 * soup_length(soup_cross(soup_difference(m_triangles.point(f, 1), p), soup_difference(m_triangles.point(f, 2), p)));
   }
 
   // Whether a double face lies between the two other faces of an edge, on the side of their material. That is the side
@@ -303,12 +262,18 @@ private:
   {
     if(e.number_of_singles != 2 || e.number_of_doubles != 1 || e.single[0].second == e.single[1].second)
       return false;
-    const Angles_around_edge angle(m_points[e.low], m_points[e.high]);
+    const Angles_around_edge angle_of_point(m_triangles.points[e.low], m_triangles.points[e.high]);
+    auto angle = [&](std::size_t g)
+    {
+      for(std::size_t k = 0; k < 3; ++k)
+        if(place(g, k) != e.low && place(g, k) != e.high)
+          return angle_of_point(m_triangles.point(g, k));
+      return 0.;
+    };
     const bool first_is_up = e.single[0].second;
-    const double up = angle(centroid(e.single[first_is_up ? 0 : 1].first));
-    const double down = angle(centroid(e.single[first_is_up ? 1 : 0].first));
+    const double up = angle(e.single[first_is_up ? 0 : 1].first), down = angle(e.single[first_is_up ? 1 : 0].first);
     auto turn = [](double from, double to) { return to >= from ? to - from : to - from + 2 * CGAL_PI; };
-    return turn(down, angle(centroid(f))) < turn(down, up);
+    return turn(down, angle(f)) < turn(down, up);
   }
 
   void decide(const Double& d, const Region& r)
@@ -317,13 +282,9 @@ private:
       return;
     if(r.is_attached && r.is_free && !r.is_missed && r.faces <= most_faces_of_fin && r.area <= m_largest_area)
     {
-      // The dropped copies in one direction count here, not there.
       for(Soup_index f : d.copy)
         if(f != no_index)
-        {
           m_is_dropped[f] = 1;
-          ++number_in_fins;
-        }
       return;
     }
     if(d.copy[0] == no_index || d.copy[1] == no_index)
@@ -331,8 +292,6 @@ private:
     const Soup_index kept = first_copy(d), dropped = (std::max)(d.copy[0], d.copy[1]);
     m_is_dropped[dropped] = 1;
     m_original[dropped] = kept;
-    ++number_dropped;
-    ++number_of_sides;
     m_other_side[kept] = dropped;
   }
 };
@@ -341,4 +300,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_IO_INTERNAL_DROP_COPIES_H
+#endif // CGAL_QUAD_MESHING_IO_INTERNAL_COPIED_TRIANGLES_H
