@@ -75,8 +75,10 @@ Figures compute_with_three_levels(const Mesh& tm)
     CGAL::Real_timer timer;
     timer.start();
     const Problem problem = field_problem(tm);
-    const QM::Mixed_integer_solution s = QM::solve_mixed_integer(problem,
-      CGAL::parameters::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0).rounding_tolerance(1e-3));
+    const QM::Mixed_integer_solution s =
+        QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(QM::Rounding_method::GREEDY)
+                                             .maximum_dense_integers(0)
+                                             .rounding_tolerance(1e-3));
     Figures figures;
     figures.energy = s.energy;
     figures.seconds = timer.time();

@@ -82,38 +82,41 @@ void run(const std::string& name, const Problem& problem)
   std::printf("%s: %d variables, %d integers; one factorization %.4g s\n", name.c_str(), problem.number_of_variables(),
               problem.number_of_integers(), factorization);
   std::printf("  %-22s %12s %11s %14s %14s\n", "method", "time", "/ factor.", "cost", "lower bound");
-  print("direct", QM::solve_mixed_integer(problem, params::rounding_method(QM::DIRECT_ROUNDING)), factorization);
+  print("direct", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::DIRECT)),
+        factorization);
 
   if(problem.number_of_integers() <= naive_steps)
-    print("naive", QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)), factorization);
+    print("naive", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)),
+          factorization);
   else
   {
     Step_limit limit(naive_steps);
-    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)
       .visitor(std::ref(limit)));
     const double seconds = s.seconds / naive_steps * problem.number_of_integers();
     std::printf("  %-22s %10.4g s %9.1f x   (from %d steps)\n", "naive", seconds, seconds / factorization, naive_steps);
   }
-  print("greedy", QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING)), factorization);
-  print("greedy, three levels", QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+  print("greedy", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)),
+        factorization);
+  print("greedy, three levels", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)
     .maximum_dense_integers(0)), factorization);
-  print("  tolerance 1e-3", QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+  print("  tolerance 1e-3", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)
     .maximum_dense_integers(0).rounding_tolerance(1e-3)), factorization);
   if(problem.number_of_integers() <= 1000)
   {
-    print("lattice within 1 s", QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+    print("lattice within 1 s", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
       .maximum_number_of_nodes(1e8).maximum_running_time(1.)), factorization);
     for(double nodes : { 1e6, 3e7, 1e9 })
     {
-      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
         .maximum_number_of_nodes(nodes).maximum_running_time(20.));
       const std::string title = "lattice, " + std::to_string(static_cast<long>(nodes / 1e6)) + "e6 nodes";
       print(title.c_str(), s, factorization);
-      if(s.status == Solution::OPTIMAL)
+      if(s.status == QM::Mixed_integer_status::OPTIMAL)
         break;
     }
     if(problem.number_of_integers() <= most_relaxed_integers)
-      print("  and relaxation", QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+      print("  and relaxation", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
         .number_of_bound_rounds(bound_rounds)), factorization);
   }
   std::printf("\n");
@@ -130,29 +133,30 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
 {
   const int integers = problem.number_of_integers();
   std::printf("%-20s %6d %6d", name.c_str(), integers, problem.number_of_variables() - integers);
-  print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::DIRECT_ROUNDING)));
-  const Solution greedy = QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+  print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::DIRECT)));
+  const Solution greedy = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY));
   print_cell(greedy);
   if(has_levels)
-    print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0)
-      .rounding_tolerance(1e-3)));
+    print_cell(QM::solve_mixed_integer(
+        problem,
+        params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)));
   else
     std::printf(" | %17s", "-");
   if(integers <= naive_limit)
-    print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)));
+    print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)));
   else
     std::printf(" | %17s", "-");
   if(integers <= 1000)
   {
     const double factorization = factorization_seconds(problem);
-    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE));
     print_cell(s);
     std::printf(" %9.3f %6.2f %% %-8s %8.4f %8.1f", s.lower_bound,
                 100. * (s.energy - s.lower_bound) / s.energy, QM::status_name(s.status), s.energy / greedy.energy,
                 s.seconds / factorization);
-    if(s.status != Solution::OPTIMAL && integers <= most_relaxed_integers)
+    if(s.status != QM::Mixed_integer_status::OPTIMAL && integers <= most_relaxed_integers)
     {
-      const Solution t = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+      const Solution t = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
         .number_of_bound_rounds(bound_rounds));
       std::printf(" | %9.3f %6.2f %% %8.3f", t.lower_bound, 100. * (t.energy - t.lower_bound) / t.energy, t.seconds);
     }
@@ -163,16 +167,17 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
 
 void print_header(const char* title)
 {
-  std::printf("%s\n%-20s %6s %6s | %17s | %17s | %17s | %17s | %17s %9s %8s %-8s %8s %8s | %9s %8s %8s\n", title, "", "discr.", "cont.",
-              "direct s / E", "greedy s / E", "tol. 1e-3 s / E", "naive s / E", "lattice s / E", "bound", "gap", "", "E/greedy",
-              "t/factor", "relaxed", "gap", "seconds");
+  std::printf("%s\n%-20s %6s %6s | %17s | %17s | %17s | %17s | %17s %9s %8s %-8s %8s %8s | %9s %8s %8s\n", title, "",
+              "discr.", "cont.", "direct s / E", "greedy s / E", "tol. 1e-3 s / E", "naive s / E", "lattice s / E",
+              "bound", "gap", "", "E/greedy", "t/factor", "relaxed", "gap", "seconds");
 }
 
 void print_tables(const std::string& name, const Mesh& tm, int naive_limit)
 {
   std::printf("%s\n", name.c_str());
   print_header("Table 5.1: orientation fields");
-  for(std::size_t triangles : { std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(tm.number_of_faces()) })
+  for(std::size_t triangles :
+      {std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(tm.number_of_faces())})
     if(triangles <= tm.number_of_faces())
     {
       const Mesh small = resized(tm, triangles);
@@ -187,40 +192,50 @@ void print_tables(const std::string& name, const Mesh& tm, int naive_limit)
 // What the thesis has measured on a rocker arm, on a computer of 2012.
 void print_thesis()
 {
-  std::printf(
-    "Thesis, Table 5.1, fields          discr.  cont. |    direct s / E |    greedy s / E |     naive s / E | branch and cut, 900 s\n"
-    "  200 triangles                       111    153 |    0.002/  10.4 |    0.006/   8.6 |    0.010/   8.6 |   8.6, not proven\n"
-    "  1000 triangles                      515    841 |    0.007/  21.5 |    0.026/  14.1 |    0.238/  13.8 |  13.7, not proven\n"
-    "  2000 triangles                      910   1414 |    0.014/  30.9 |    0.036/  21.9 |    0.640/  21.6 |  21.3, not proven\n"
-    "  20000 triangles                   10119  17759 |    0.160/  58.7 |    0.480/  33.9 |  124    /  33.7 |  40.5, not proven\n"
-    "Thesis, Table 5.2, maps\n"
-    "  200 triangles                        62    138 |    0.007/ 262   |    0.014/ 251   |    0.032/ 252   | 245, not proven\n"
-    "  1000 triangles                       60    940 |    0.013/ 173   |    0.041/ 164   |    0.127/ 163   | 161, not proven\n"
-    "  2000 triangles                       60   1940 |    0.021/ 254   |    0.068/ 232   |    0.258/ 232   | 230, not proven\n"
-    "  20000 triangles                      56  19944 |    0.221/ 323   |    0.653/ 258   |    4.3  / 256   | 255, not proven\n");
+  std::printf("Thesis, Table 5.1, fields          discr.  cont. |    direct s / E |    greedy s / E |     naive s / E "
+              "| branch and cut, 900 s\n"
+              "  200 triangles                       111    153 |    0.002/  10.4 |    0.006/   8.6 |    0.010/   8.6 "
+              "|   8.6, not proven\n"
+              "  1000 triangles                      515    841 |    0.007/  21.5 |    0.026/  14.1 |    0.238/  13.8 "
+              "|  13.7, not proven\n"
+              "  2000 triangles                      910   1414 |    0.014/  30.9 |    0.036/  21.9 |    0.640/  21.6 "
+              "|  21.3, not proven\n"
+              "  20000 triangles                   10119  17759 |    0.160/  58.7 |    0.480/  33.9 |  124    /  33.7 "
+              "|  40.5, not proven\n"
+              "Thesis, Table 5.2, maps\n"
+              "  200 triangles                        62    138 |    0.007/ 262   |    0.014/ 251   |    0.032/ 252   "
+              "| 245, not proven\n"
+              "  1000 triangles                       60    940 |    0.013/ 173   |    0.041/ 164   |    0.127/ 163   "
+              "| 161, not proven\n"
+              "  2000 triangles                       60   1940 |    0.021/ 254   |    0.068/ 232   |    0.258/ 232   "
+              "| 230, not proven\n"
+              "  20000 triangles                      56  19944 |    0.221/ 323   |    0.653/ 258   |    4.3  / 256   "
+              "| 255, not proven\n");
 }
 
 void print_sizes(const std::string& name, const Mesh& tm)
 {
   std::printf("%s\nTables 5.3 and 5.4: seconds, and in brackets relative to one factorization\n", name.c_str());
-  std::printf("%9s | %18s %18s %10s %18s | %18s %18s\n", "triangles", "field, greedy", "tolerance 1e-3", "E/E", "field, polished",
-              "map, greedy", "map, lattice");
+  std::printf("%9s | %18s %18s %10s %18s | %18s %18s\n", "triangles", "field, greedy", "tolerance 1e-3", "E/E",
+              "field, polished", "map, greedy", "map, lattice");
   for(std::size_t triangles : { 10000, 50000, 200000 })
   {
     Mesh sized = resized(tm, triangles);
     const Problem field = field_problem(sized);
     const double field_factorization = factorization_seconds(field);
-    const Solution greedy = QM::solve_mixed_integer(field, params::rounding_method(QM::GREEDY_ROUNDING));
-    const Solution coarse = QM::solve_mixed_integer(field, params::rounding_method(QM::GREEDY_ROUNDING).rounding_tolerance(1e-3));
+    const Solution greedy = QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY));
+    const Solution coarse =
+        QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY).rounding_tolerance(1e-3));
     auto angle = sized.add_property_map<Mesh::Face_index, double>("f:polished", 0.).first;
     auto jump = sized.add_property_map<Mesh::Edge_index, int>("e:polished", 0).first;
     auto index = sized.add_property_map<Mesh::Vertex_index, int>("v:polished", 0).first;
     const QM::Cross_field_result polished = QM::smooth_cross_field(sized, angle, jump, index);
     const Problem map = map_problem(sized, 4000);
     const double map_factorization = factorization_seconds(map);
-    const Solution map_greedy = QM::solve_mixed_integer(map, params::rounding_method(QM::GREEDY_ROUNDING));
-    const Solution map_lattice = QM::solve_mixed_integer(map, params::rounding_method(QM::LATTICE_ROUNDING));
-    const auto cell = [](double seconds, double factorization) { std::printf(" %8.3f (%7.1f)", seconds, seconds / factorization); };
+    const Solution map_greedy = QM::solve_mixed_integer(map, params::rounding_method(QM::Rounding_method::GREEDY));
+    const Solution map_lattice = QM::solve_mixed_integer(map, params::rounding_method(QM::Rounding_method::LATTICE));
+    const auto cell = [](double seconds, double factorization)
+    { std::printf(" %8.3f (%7.1f)", seconds, seconds / factorization); };
     std::printf("%9d |", static_cast<int>(sized.number_of_faces()));
     cell(greedy.seconds, field_factorization);
     cell(coarse.seconds, field_factorization);
@@ -232,7 +247,8 @@ void print_sizes(const std::string& name, const Mesh& tm)
     std::printf("\n");
     std::fflush(stdout);
   }
-  std::printf("Thesis: fields of an armadillo 0.3 (10k), 1.2 (50k), 6.3 s (200k), of a cube 0.11, 0.5, 2.8 s; maps 1.3, 5.3, 21.4 s and 0.15, 0.9, 6.7 s\n\n");
+  std::printf("Thesis: fields of an armadillo 0.3 (10k), 1.2 (50k), 6.3 s (200k), of a cube 0.11, 0.5, 2.8 s; maps "
+              "1.3, 5.3, 21.4 s and 0.15, 0.9, 6.7 s\n\n");
 }
 
 bool is_mesh_name(const std::string& name)

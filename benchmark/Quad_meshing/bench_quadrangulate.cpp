@@ -12,7 +12,7 @@
 // bench_quadrangulate [MESH ...]     default: meshes of CGAL's data folder
 
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
-#include <CGAL/Quad_meshing/Mixed_integer/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
@@ -105,7 +105,9 @@ void bench(const std::string& filename)
               r.prepared_faces + r.field_integers, r.field_integers, r.field_seconds, static_cast<int>(A.rows()),
               problem.number_of_integers(), r.parameterization_seconds, r.singularities, r.quads);
   std::printf("  Table 5.2 (seconds relative to one factorization / energy):");
-  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
+  for(QM::Rounding_method method :
+      {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
+       QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
   {
     QM::Mixed_integer_solution s;
     const double t = seconds([&] { s = QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method)); });

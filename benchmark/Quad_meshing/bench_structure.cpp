@@ -91,7 +91,7 @@ SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
   CGAL::Random random(seed);
   for(int i = 0; i < operators; ++i)
   {
-    const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+    const QM::internal::Quad_vertex_rules rules = QM::internal::make_quad_vertex_rules(m, false);
     QM::internal::Gp_search search(m, rules);
     const QM::internal::Gp_path path = search.close({ 3 * random.get_int(0, m.number_of_halfedges()) });
     if(path.empty())
@@ -147,7 +147,7 @@ bool random_operators(int wanted, unsigned int seed)
     const int end = static_cast<int>(wanted * (k + 1) / soups.size());
     while(done < end)
     {
-      const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+      const QM::internal::Quad_vertex_rules rules = QM::internal::make_quad_vertex_rules(m, false);
       QM::internal::Gp_search search(m, rules);
       QM::internal::Gp_path path;
       for(int attempt = 0; attempt < 10 && path.empty(); ++attempt)

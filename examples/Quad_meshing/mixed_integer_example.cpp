@@ -29,17 +29,19 @@ int main()
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   problem.add_equality_constraint({ { n - 1, 1. }, { 0, -1. } }, 10.);
 
-  for(QM::Rounding_method method : { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
+  for(QM::Rounding_method method :
+      {QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
   {
     const QM::Mixed_integer_solution solution
       = QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method));
-    if(!solution.is_feasible())
+    if(!solution.is_valid())
     {
       std::cerr << solution.message << std::endl;
       return EXIT_FAILURE;
     }
     std::cout << QM::rounding_method_name(method) << ": energy " << solution.energy << ", at least "
-              << solution.lower_bound << ". " << solution.message << "\n  marks: " << solution.x.transpose() << std::endl;
+              << solution.lower_bound << ". " << solution.message << "\n  marks: " << solution.x.transpose()
+              << std::endl;
   }
   return EXIT_SUCCESS;
 }

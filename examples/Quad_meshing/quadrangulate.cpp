@@ -126,7 +126,8 @@ int main(int argc, char* argv[])
     const double number_of_quads = args.positive_number("target-quads");
     const double sharp_angle = args.number("sharp-angle", 0, 180);
     const bool align_boundary = args.is_on("align-boundary");
-    const QM::Rounding_method methods[] = { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING };
+    const QM::Rounding_method methods[] = {QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY,
+                                           QM::Rounding_method::LATTICE};
     const QM::Rounding_method rounding = methods[args.choice("rounding", { "direct", "greedy", "lattice" })];
 
     const QM::Cross_field_method fields[] = { QM::Cross_field_method::REPRESENTATION, QM::Cross_field_method::GREEDY,

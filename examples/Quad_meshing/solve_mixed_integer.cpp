@@ -169,7 +169,7 @@ void write_solution(const std::string& filename, const QM::Mixed_integer_problem
 int solve(int argc, char* argv[])
 {
   std::vector<std::string> methods;
-  for(int m = QM::RELAXED; m <= QM::OUTER_APPROXIMATION; ++m)
+  for(int m = 0; m <= static_cast<int>(QM::Rounding_method::OUTER_APPROXIMATION); ++m)
     methods.push_back(QM::rounding_method_name(QM::Rounding_method(m)));
   std::string method_list;
   for(const std::string& m : methods)
@@ -217,19 +217,24 @@ int solve(int argc, char* argv[])
   const QM::Mixed_integer_problem problem = read_problem(args);
 
   command_line::Progress_bar progress;
-  const QM::Mixed_integer_solution solution = QM::solve_mixed_integer(problem,
-    CGAL::parameters::rounding_method(method).maximum_running_time(time_limit).maximum_number_of_nodes(node_limit)
-      .number_of_bound_rounds(bound_rounds).relative_gap_tolerance(gap).subproblem_selection(selection).branching_rule(branching)
-      .visitor(std::ref(progress)));
+  const QM::Mixed_integer_solution solution = QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method)
+                                                                                   .maximum_running_time(time_limit)
+                                                                                   .maximum_number_of_nodes(node_limit)
+                                                                                   .number_of_bound_rounds(bound_rounds)
+                                                                                   .relative_gap_tolerance(gap)
+                                                                                   .subproblem_selection(selection)
+                                                                                   .branching_rule(branching)
+                                                                                   .visitor(std::ref(progress)));
 
   std::cout.precision(12);
   std::cout << QM::status_name(solution.status) << ": " << solution.message << "\n"
             << "energy " << solution.energy << ", lower bound " << solution.lower_bound << ", relaxed "
             << solution.relaxed_energy << "\n"
             << problem.number_of_variables() << " variables, " << solution.integers << " integers, "
-            << solution.constraints << " equality constraints (" << solution.redundant_constraints.size() << " redundant, "
-            << solution.conflicting_constraints.size() << " conflicting); left after elimination: "
-            << solution.free_variables << " variables, " << solution.free_integers << " integers\n"
+            << solution.constraints << " equality constraints (" << solution.redundant_constraints.size()
+            << " redundant, " << solution.conflicting_constraints.size()
+            << " conflicting); left after elimination: " << solution.free_variables << " variables, "
+            << solution.free_integers << " integers\n"
             << solution.factorizations << " factorizations, " << solution.seconds << " s" << std::endl;
   if(args.has("out") && solution.x.size() == problem.number_of_variables())
     write_solution(args.value<Text>("out"), problem, solution.x);
@@ -237,7 +242,7 @@ int solve(int argc, char* argv[])
   {
     QM::Flat_json json;
     json.set("status", QM::status_name(solution.status));
-    json.set("method", methods[method]);
+    json.set("method", QM::rounding_method_name(method));
     json.set("message", solution.message);
     json.set("energy", solution.energy);
     json.set("lower_bound", solution.lower_bound);
@@ -251,8 +256,8 @@ int solve(int argc, char* argv[])
     json.set("seconds", solution.seconds);
     command_line::write_json(args.value<Text>("json"), json);
   }
-  const bool is_valid = method == QM::RELAXED ? solution.status <= QM::Mixed_integer_solution::FEASIBLE
-    : solution.is_feasible() && solution.conflicting_constraints.empty();
+  const bool is_valid = method == QM::Rounding_method::RELAXED ? solution.status <= QM::Mixed_integer_status::FEASIBLE
+    : solution.is_valid() && solution.conflicting_constraints.empty();
   return is_valid ? command_line::done : command_line::not_valid;
 }
 

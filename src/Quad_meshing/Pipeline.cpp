@@ -9,4 +9,5 @@
 // The kernels of the room Pipeline.
 
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_plan_impl.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/copy_components_impl.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation_impl.h>

@@ -256,27 +256,28 @@ void test_against_brute_force(CGAL::Random& random)
     if(has_equalities)
       add_random_equalities(random, problem, integers, reals);
 
-    const Solution lattice = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    const Solution lattice = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE));
     conflicts += !lattice.conflicting_constraints.empty();
     redundancies += !lattice.redundant_constraints.empty();
     check_solution(problem, lattice);
     const double best = brute_force(problem, lattice.energy, lattice.conflicting_constraints);
     assert(is_close(lattice.energy, best));
 
-    const QM::Rounding_method exact[] = { QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT };
+    const QM::Rounding_method exact[] = { QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT };
     for(QM::Rounding_method method : exact)
     {
       const Solution s = solve_and_check(problem, params::rounding_method(method));
       assert(is_close(s.energy, best));
-      assert(s.status == Solution::OPTIMAL || s.status == Solution::CONFLICTING_CONSTRAINTS);
+      assert(s.status == QM::Mixed_integer_status::OPTIMAL ||
+             s.status == QM::Mixed_integer_status::CONFLICTING_CONSTRAINTS);
     }
-    const Solution greedy = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+    const Solution greedy = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY));
     assert(greedy.energy >= best - 1e-6 * (1. + std::fabs(best)));
     assert(greedy.conflicting_constraints == lattice.conflicting_constraints);
-    const Solution direct = solve_and_check(problem, params::rounding_method(QM::DIRECT_ROUNDING));
+    const Solution direct = solve_and_check(problem, params::rounding_method(QM::Rounding_method::DIRECT));
     assert(direct.energy >= best - 1e-6 * (1. + std::fabs(best)));
     assert(is_close(direct.relaxed_energy, greedy.relaxed_energy));
-    const Solution naive = solve_and_check(problem, params::rounding_method(QM::NAIVE_ROUNDING));
+    const Solution naive = solve_and_check(problem, params::rounding_method(QM::Rounding_method::NAIVE));
     assert(is_close(naive.energy, greedy.energy));
   }
   std::cout << "  " << problems << " problems, " << conflicts << " with conflicting, " << redundancies
@@ -297,8 +298,8 @@ void test_elimination()
       problem.add_squared_residual({ { i, 1. } }, target[i]);
     }
     problem.add_equality_constraint({ { 0, 6. }, { 1, 10. }, { 2, 15. } }, 1.);
-    const Solution s = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING));
-    assert(s.status == Solution::OPTIMAL && s.free_integers == 2);
+    const Solution s = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE));
+    assert(s.status == QM::Mixed_integer_status::OPTIMAL && s.free_integers == 2);
     assert(s.x[0] == 1. && s.x[1] == 1. && s.x[2] == -1.);
   }
   {
@@ -311,7 +312,7 @@ void test_elimination()
     }
     problem.add_equality_constraint({ { 0, 2. }, { 1, 4. } }, 3.);
     const Solution s = QM::solve_mixed_integer(problem);
-    assert(s.status == Solution::CONFLICTING_CONSTRAINTS);
+    assert(s.status == QM::Mixed_integer_status::CONFLICTING_CONSTRAINTS);
     assert(s.conflicting_constraints == std::vector<int>(1, 0) && s.all_integers_satisfied);
   }
   {
@@ -324,7 +325,7 @@ void test_elimination()
     }
     problem.add_equality_constraint({ { 0, 1. }, { 1, std::sqrt(2.) } }, 0.5);
     const Solution s = QM::solve_mixed_integer(problem);
-    assert(s.status == Solution::INFEASIBLE && !s.all_integers_satisfied && !s.is_feasible());
+    assert(s.status == QM::Mixed_integer_status::INFEASIBLE && !s.all_integers_satisfied && !s.is_valid());
   }
   {
     // A chain with large coefficients: exact although products outgrow a double.
@@ -338,7 +339,7 @@ void test_elimination()
     for(int i = 0; i + 2 < n; ++i)
       problem.add_equality_constraint({ { i, 30030. }, { i + 1, -46189. + i }, { i + 2, 1001. + 2. * i } }, 0.);
     const Solution s = QM::solve_mixed_integer(problem);
-    assert(s.status == Solution::FEASIBLE || s.status == Solution::OPTIMAL);
+    assert(s.status == QM::Mixed_integer_status::FEASIBLE || s.status == QM::Mixed_integer_status::OPTIMAL);
     check_solution(problem, s);
   }
   {
@@ -349,7 +350,7 @@ void test_elimination()
     problem.set_integer(0);
     problem.set_integer(1);
     problem.add_equality_constraint({ { 0, 1. }, { 1, 1. }, { 2, 3. }, { 3, 2. } }, 0.);
-    const Solution s = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+    const Solution s = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY));
     assert(s.free_integers == 2 && s.free_variables == 3);
     assert(s.x[0] + s.x[1] + 3. * s.x[2] + 2. * s.x[3] < 1e-14);
   }
@@ -372,28 +373,34 @@ void test_inequalities(CGAL::Random& random)
       problem.add_inequality_constraint(form, random.get_int(-4, 6));
     }
     const double best = brute_force(problem, 1e6, std::vector<int>());
-    const QM::Subproblem_selection selections[] = { QM::BEST_BOUND, QM::DEPTH_FIRST, QM::BEST_ESTIMATE };
-    const QM::Branching_rule rules[] = { QM::MINIMUM_INFEASIBILITY, QM::MAXIMUM_INFEASIBILITY, QM::PSEUDO_COSTS };
+    const QM::Subproblem_selection selections[] = {QM::Subproblem_selection::BEST_BOUND,
+                                                   QM::Subproblem_selection::DEPTH_FIRST,
+                                                   QM::Subproblem_selection::BEST_ESTIMATE};
+    const QM::Branching_rule rules[] = {QM::Branching_rule::MINIMUM_INFEASIBILITY,
+                                        QM::Branching_rule::MAXIMUM_INFEASIBILITY, QM::Branching_rule::PSEUDO_COSTS};
     for(QM::Subproblem_selection selection : selections)
       for(QM::Branching_rule rule : rules)
         for(int m = 0; m < 2; ++m)
         {
-          const Solution s = QM::solve_mixed_integer(problem,
-            params::rounding_method(m == 0 ? QM::BRANCH_AND_BOUND : QM::BRANCH_AND_CUT)
-              .subproblem_selection(selection).branching_rule(rule));
+          const Solution s =
+              QM::solve_mixed_integer(problem, params::rounding_method(m == 0 ? QM::Rounding_method::BRANCH_AND_BOUND
+                                                                              : QM::Rounding_method::BRANCH_AND_CUT)
+                                                   .subproblem_selection(selection)
+                                                   .branching_rule(rule));
           if(best == infinity)
           {
-            assert(s.status == Solution::INFEASIBLE);
+            assert(s.status == QM::Mixed_integer_status::INFEASIBLE);
             continue;
           }
-          assert(s.status == Solution::OPTIMAL);
+          assert(s.status == QM::Mixed_integer_status::OPTIMAL);
           check_solution(problem, s);
           assert(is_close(s.energy, best));
         }
     if(p % 5 == 0 && integers <= 3)
     {
-      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::OUTER_APPROXIMATION));
-      assert(best == infinity ? s.status == Solution::INFEASIBLE : is_close(s.energy, best));
+      const Solution s =
+          QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::OUTER_APPROXIMATION));
+      assert(best == infinity ? s.status == QM::Mixed_integer_status::INFEASIBLE : is_close(s.energy, best));
     }
   }
 
@@ -403,7 +410,8 @@ void test_inequalities(CGAL::Random& random)
   problem.set_bounds(0, 0., 0.5);
   problem.add_squared_residual({ { 0, 1. } }, 2.);
   problem.add_squared_residual({ { 1, 1. }, { 0, -1. } }, 0.8);
-  for(QM::Rounding_method method : { QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT, QM::OUTER_APPROXIMATION })
+  for(QM::Rounding_method method : {QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT,
+                                    QM::Rounding_method::OUTER_APPROXIMATION})
   {
     const Solution s = solve_and_check(problem, params::rounding_method(method));
     assert(s.x[1] == 1. && is_close(s.x[0], 0.5) && is_close(s.energy, 2.25 + 0.09));
@@ -460,10 +468,11 @@ void test_linear_programs(CGAL::Random& random)
     });
     const bool is_feasible = best < (std::numeric_limits<int>::max)();
     feasible += is_feasible;
-    for(QM::Rounding_method method : { QM::CUTTING_PLANES, QM::BRANCH_AND_CUT, QM::BRANCH_AND_BOUND })
+    for(QM::Rounding_method method : {QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT,
+                                      QM::Rounding_method::BRANCH_AND_BOUND})
     {
       const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
-      assert(s.status == (is_feasible ? Solution::OPTIMAL : Solution::INFEASIBLE));
+      assert(s.status == (is_feasible ? QM::Mixed_integer_status::OPTIMAL : QM::Mixed_integer_status::INFEASIBLE));
       if(!is_feasible)
         continue;
       check_solution(problem, s);
@@ -481,7 +490,8 @@ void test_linear_programs(CGAL::Random& random)
   problem.set_bounds(1, 0, 4);
   problem.add_inequality_constraint({ { 0, 2. }, { 1, 2. } }, 5.);
   problem.add_inequality_constraint({ { 0, 1. }, { 1, -1. } }, 0.25);
-  for(QM::Rounding_method method : { QM::CUTTING_PLANES, QM::BRANCH_AND_CUT, QM::BRANCH_AND_BOUND })
+  for(QM::Rounding_method method :
+      {QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::BRANCH_AND_BOUND})
   {
     const Solution s = solve_and_check(problem, params::rounding_method(method));
     assert(s.x[0] == 1. && is_close(s.x[1], 1.5) && is_close(s.energy, -3.));
@@ -509,31 +519,31 @@ Problem grid_problem(CGAL::Random& random, int width, int integers)
 void test_greedy_levels(CGAL::Random& random)
 {
   const Problem problem = grid_problem(random, 14, 60);
-  const Solution naive = solve_and_check(problem, params::rounding_method(QM::NAIVE_ROUNDING));
+  const Solution naive = solve_and_check(problem, params::rounding_method(QM::Rounding_method::NAIVE));
   assert(naive.factorization_roundings == naive.free_integers);
 
-  const Solution dense = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+  const Solution dense = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY));
   assert(dense.dense_roundings == 60 && dense.factorizations == 1);
   assert(is_close(dense.energy, naive.energy));
 
-  const Solution local = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+  const Solution local = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
     .maximum_dense_integers(0).rounding_tolerance(1e-9).simultaneous_rounding(false));
   assert(local.gauss_seidel_roundings > 0 && is_close(local.energy, naive.energy));
 
-  const Solution gradient = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+  const Solution gradient = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
     .maximum_dense_integers(0).rounding_tolerance(1e-9).simultaneous_rounding(false).gauss_seidel_iterations(0)
     .conjugate_gradient_iterations(1000));
   assert(gradient.conjugate_gradient_roundings > 0 && is_close(gradient.energy, naive.energy));
 
-  const Solution simultaneous = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING)
+  const Solution simultaneous = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
     .maximum_dense_integers(0));
   assert(simultaneous.simultaneous_roundings > 0);
   assert(simultaneous.energy - naive.relaxed_energy < 1.5 * (naive.energy - naive.relaxed_energy));
 
-  const Solution lattice = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+  const Solution lattice = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
     .maximum_number_of_nodes(3e5));
   assert(lattice.energy <= dense.energy + 1e-9 && lattice.lower_bound >= dense.relaxed_energy - 1e-6);
-  const Solution again = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+  const Solution again = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
     .maximum_number_of_nodes(3e5));
   assert((lattice.x - again.x).cwiseAbs().maxCoeff() == 0.);
 }
@@ -563,18 +573,27 @@ int Counting_solver::solutions = 0;
 void test_other_linear_solver(CGAL::Random& random)
 {
   const Problem problem = grid_problem(random, 8, 5);
-  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING,
-                                     QM::LATTICE_ROUNDING, QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT })
+  for(QM::Rounding_method method :
+      {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
+       QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE, QM::Rounding_method::BRANCH_AND_BOUND,
+       QM::Rounding_method::BRANCH_AND_CUT})
     for(int dense : { 0, 1000 })
     {
       Counting_solver::factorizations = Counting_solver::solutions = 0;
-      const Solution own = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_dense_integers(dense)
-        .rounding_tolerance(1e-9).simultaneous_rounding(false));
+      const Solution own = QM::solve_mixed_integer(
+          problem,
+          params::rounding_method(method).maximum_dense_integers(dense).rounding_tolerance(1e-9).simultaneous_rounding(
+              false));
       assert(Counting_solver::factorizations == 0);
-      const Solution other = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_dense_integers(dense)
-        .rounding_tolerance(1e-9).simultaneous_rounding(false).sparse_linear_solver(Counting_solver()));
-      assert(own.status == other.status && is_close(own.energy, other.energy) && is_close(own.relaxed_energy, other.relaxed_energy));
-      assert(Counting_solver::factorizations == other.factorizations && other.factorizations > 0 && Counting_solver::solutions > 0);
+      const Solution other = QM::solve_mixed_integer(problem, params::rounding_method(method)
+                                                                  .maximum_dense_integers(dense)
+                                                                  .rounding_tolerance(1e-9)
+                                                                  .simultaneous_rounding(false)
+                                                                  .sparse_linear_solver(Counting_solver()));
+      assert(own.status == other.status && is_close(own.energy, other.energy) &&
+             is_close(own.relaxed_energy, other.relaxed_energy));
+      assert(Counting_solver::factorizations == other.factorizations && other.factorizations > 0 &&
+             Counting_solver::solutions > 0);
     }
 }
 
@@ -595,14 +614,18 @@ void test_leaves(CGAL::Random& random)
     problem.add_squared_residual({ { problem.add_variable(true), 1. } }, 0.4); // without neighbors
     if(trial > 2)
       problem.set_integer(3 * width + 3); // itself next to leaves
-    const Solution naive = solve_and_check(problem, params::rounding_method(QM::NAIVE_ROUNDING));
-    const Solution dense = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING));
+    const Solution naive = solve_and_check(problem, params::rounding_method(QM::Rounding_method::NAIVE));
+    const Solution dense = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY));
     assert(is_close(naive.energy, dense.energy) && (naive.x - dense.x).cwiseAbs().maxCoeff() < 1e-6);
-    const Solution levels = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0)
-      .rounding_tolerance(1e-11).simultaneous_rounding(false).gauss_seidel_iterations(10000000));
+    const Solution levels = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
+                                                         .maximum_dense_integers(0)
+                                                         .rounding_tolerance(1e-11)
+                                                         .simultaneous_rounding(false)
+                                                         .gauss_seidel_iterations(10000000));
     assert(is_close(naive.energy, levels.energy) && is_close(naive.relaxed_energy, levels.relaxed_energy));
     assert(levels.gauss_seidel_roundings > 0);
-    const Solution coarse = solve_and_check(problem, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0));
+    const Solution coarse =
+        solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
     assert(coarse.energy < 1.5 * naive.energy);
   }
 
@@ -613,7 +636,8 @@ void test_leaves(CGAL::Random& random)
     leaves.set_integer(i);
     leaves.add_squared_residual({ { i, 2. } }, 1.4 + i);
   }
-  const Solution rounded = solve_and_check(leaves, params::rounding_method(QM::GREEDY_ROUNDING).maximum_dense_integers(0));
+  const Solution rounded =
+      solve_and_check(leaves, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
   assert(rounded.x[0] == 1. && rounded.x[1] == 1. && rounded.x[2] == 2.);
 }
 
@@ -621,7 +645,7 @@ void test_leaves(CGAL::Random& random)
 void test_lattice_of_many_integers(CGAL::Random& random)
 {
   const Problem part = grid_problem(random, 10, 30);
-  const Solution one = solve_and_check(part, params::rounding_method(QM::LATTICE_ROUNDING));
+  const Solution one = solve_and_check(part, params::rounding_method(QM::Rounding_method::LATTICE));
   const Eigen::SparseMatrix<double> A = part.matrix();
   const int n = part.number_of_variables(), copies = 3;
   std::vector<Eigen::Triplet<double> > triplets;
@@ -642,9 +666,9 @@ void test_lattice_of_many_integers(CGAL::Random& random)
   whole.set_energy(all, b, copies * part.constant());
   for(int c = 0; c < copies; ++c)
     whole.add_equality_constraint({ { c * n, 1. } }, 0.);
-  const Solution three = solve_and_check(whole, params::rounding_method(QM::LATTICE_ROUNDING)
+  const Solution three = solve_and_check(whole, params::rounding_method(QM::Rounding_method::LATTICE)
     .maximum_number_of_nodes(9e7));
-  assert(one.status == Solution::OPTIMAL && three.status == Solution::OPTIMAL);
+  assert(one.status == QM::Mixed_integer_status::OPTIMAL && three.status == QM::Mixed_integer_status::OPTIMAL);
   assert(is_close(three.energy, copies * one.energy));
 
   // Residuals of a few integers each: strongly coupled, too many for a proof or even to be decoded as a whole.
@@ -663,8 +687,8 @@ void test_lattice_of_many_integers(CGAL::Random& random)
         form.emplace_back(random.get_int(0, integers), uniform(random, -1., 1.));
       large.add_squared_residual(form, uniform(random, -2., 2.));
     }
-    const Solution greedy = solve_and_check(large, params::rounding_method(QM::GREEDY_ROUNDING));
-    const Solution lattice = solve_and_check(large, params::rounding_method(QM::LATTICE_ROUNDING)
+    const Solution greedy = solve_and_check(large, params::rounding_method(QM::Rounding_method::GREEDY));
+    const Solution lattice = solve_and_check(large, params::rounding_method(QM::Rounding_method::LATTICE)
       .maximum_number_of_nodes(1e6));
     assert(lattice.energy < greedy.energy);
     assert(lattice.lower_bound >= lattice.relaxed_energy && lattice.lower_bound <= lattice.energy);
@@ -686,17 +710,17 @@ void test_lattice_bounds(CGAL::Random& random)
         problem.add_squared_residual({ { i, 1. } }, uniform(random, -2., 2.), uniform(random, 0.1, 3.));
         for(int j = 0; j < i; ++j)
           if(coupling > 0)
-            problem.add_squared_residual({ { i, 1. }, { j, uniform(random, -1., 1.) } }, 0., coupling * random.get_double());
+            problem.add_squared_residual({{i, 1.}, {j, uniform(random, -1., 1.)}}, 0., coupling * random.get_double());
       }
-      const Solution optimum = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+      const Solution optimum = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
         .maximum_number_of_nodes(1e9));
-      assert(optimum.status == Solution::OPTIMAL);
+      assert(optimum.status == QM::Mixed_integer_status::OPTIMAL);
       for(double nodes : { 0., 100., 2e4, 1e5 })
       {
-        const Solution s = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING)
+        const Solution s = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
           .maximum_number_of_nodes(nodes));
         assert(s.energy >= optimum.energy - 1e-9 && s.lower_bound <= optimum.energy + 1e-9);
-        assert(s.status != Solution::OPTIMAL || is_close(s.energy, optimum.energy));
+        assert(s.status != QM::Mixed_integer_status::OPTIMAL || is_close(s.energy, optimum.energy));
       }
     }
 }
@@ -764,12 +788,13 @@ void test_relaxed_bounds(CGAL::Random& random)
 
   // Few nodes leave a gap that the relaxation narrows.
   const Problem problem = grid_problem(random, 20, 100);
-  const auto few_nodes = params::rounding_method(QM::LATTICE_ROUNDING).maximum_number_of_nodes(2e4);
-  const Solution s = solve_and_check(problem, few_nodes), t = solve_and_check(problem, few_nodes.number_of_bound_rounds(6));
-  const Solution best = solve_and_check(problem, params::rounding_method(QM::LATTICE_ROUNDING));
-  std::cout << "  relaxed " << s.relaxed_energy << ", enumeration " << s.lower_bound << ", relaxation " << t.lower_bound << ", best known "
-            << best.energy << std::endl;
-  assert(s.status == Solution::FEASIBLE && t.energy == s.energy && t.lower_bound <= best.energy);
+  const auto few_nodes = params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(2e4);
+  const Solution s = solve_and_check(problem, few_nodes),
+                 t = solve_and_check(problem, few_nodes.number_of_bound_rounds(6));
+  const Solution best = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE));
+  std::cout << "  relaxed " << s.relaxed_energy << ", enumeration " << s.lower_bound << ", relaxation " << t.lower_bound
+            << ", best known " << best.energy << std::endl;
+  assert(s.status == QM::Mixed_integer_status::FEASIBLE && t.energy == s.energy && t.lower_bound <= best.energy);
   assert(best.energy - t.lower_bound < 0.4 * (best.energy - s.lower_bound));
 }
 
@@ -805,8 +830,9 @@ void test_integer_energy(CGAL::Random& random)
     assert(is_close(energy.energy(x), whole));
     assert(is_close(energy.relaxed_energy() + energy.cost(y), whole));
     assert(is_close(energy.problem().energy(y), whole));
-    const Solution reduced = QM::solve_mixed_integer(energy.problem(), params::rounding_method(QM::LATTICE_ROUNDING));
-    const Solution solution = QM::solve_mixed_integer(problem, params::rounding_method(QM::LATTICE_ROUNDING));
+    const Solution reduced =
+        QM::solve_mixed_integer(energy.problem(), params::rounding_method(QM::Rounding_method::LATTICE));
+    const Solution solution = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE));
     assert(is_close(reduced.energy + problem.constant(), solution.energy));
     assert(is_close(reduced.relaxed_energy + problem.constant(), solution.relaxed_energy));
   }
@@ -815,18 +841,19 @@ void test_integer_energy(CGAL::Random& random)
 void test_special_cases()
 {
   // No variable at all.
-  assert(QM::solve_mixed_integer(Problem()).status == Solution::OPTIMAL);
+  assert(QM::solve_mixed_integer(Problem()).status == QM::Mixed_integer_status::OPTIMAL);
 
   // No integer.
   Problem real(2);
   real.add_squared_residual({ { 0, 1. }, { 1, 1. } }, 3.);
   real.add_squared_residual({ { 0, 1. }, { 1, -1. } }, 1.);
-  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING,
-                                     QM::LATTICE_ROUNDING, QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT,
-                                     QM::OUTER_APPROXIMATION })
+  for(QM::Rounding_method method :
+      {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
+       QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE, QM::Rounding_method::BRANCH_AND_BOUND,
+       QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::OUTER_APPROXIMATION})
   {
     const Solution s = QM::solve_mixed_integer(real, params::rounding_method(method));
-    assert(s.status == Solution::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 1.));
+    assert(s.status == QM::Mixed_integer_status::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 1.));
   }
 
   // Energies without a unique minimum get one of them; concave ones are refused.
@@ -841,35 +868,38 @@ void test_special_cases()
   negative.insert(1, 1) = 1.;
   Problem concave(2);
   concave.set_energy(negative, Eigen::Vector2d(0., 0.));
-  for(QM::Rounding_method method : { QM::RELAXED, QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
-    assert(QM::solve_mixed_integer(concave, params::rounding_method(method)).status == Solution::NUMERICAL_FAILURE);
+  for(QM::Rounding_method method : {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT,
+                                    QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
+    assert(QM::solve_mixed_integer(concave, params::rounding_method(method)).status ==
+           QM::Mixed_integer_status::NUMERICAL_FAILURE);
 
   Problem nan(1);
   nan.add_squared_residual({ { 0, std::numeric_limits<double>::quiet_NaN() } }, 0.);
-  assert(QM::solve_mixed_integer(nan).status == Solution::NUMERICAL_FAILURE);
+  assert(QM::solve_mixed_integer(nan).status == QM::Mixed_integer_status::NUMERICAL_FAILURE);
 
   // What a method cannot treat is said so.
   Problem bounded(1);
   bounded.set_integer(0);
   bounded.set_bounds(0, 0, 1);
   bounded.add_squared_residual({ { 0, 1. } }, 2.6);
-  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::GREEDY_ROUNDING)).status
-         == Solution::UNSUPPORTED_PROBLEM);
-  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::CUTTING_PLANES)).status
-         == Solution::UNSUPPORTED_PROBLEM);
+  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::Rounding_method::GREEDY)).status
+         == QM::Mixed_integer_status::UNSUPPORTED_PROBLEM);
+  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::Rounding_method::CUTTING_PLANES)).status
+         == QM::Mixed_integer_status::UNSUPPORTED_PROBLEM);
   assert(QM::solve_mixed_integer(bounded).x[0] == 1.);
 
   // An unbounded linear program.
   Problem unbounded(1);
   unbounded.set_integer(0);
   unbounded.set_energy(Eigen::SparseMatrix<double>(1, 1), Eigen::VectorXd::Ones(1));
-  assert(QM::solve_mixed_integer(unbounded, params::rounding_method(QM::BRANCH_AND_CUT)).status
-         == Solution::UNBOUNDED);
+  assert(QM::solve_mixed_integer(unbounded, params::rounding_method(QM::Rounding_method::BRANCH_AND_CUT)).status
+         == QM::Mixed_integer_status::UNBOUNDED);
 }
 
-const QM::Rounding_method all_methods[] =
-  { QM::RELAXED, QM::DIRECT_ROUNDING, QM::NAIVE_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING, QM::BRANCH_AND_BOUND,
-    QM::BRANCH_AND_CUT, QM::CUTTING_PLANES, QM::OUTER_APPROXIMATION };
+const QM::Rounding_method all_methods[] = {
+    QM::Rounding_method::RELAXED,        QM::Rounding_method::DIRECT,         QM::Rounding_method::NAIVE,
+    QM::Rounding_method::GREEDY,         QM::Rounding_method::LATTICE,        QM::Rounding_method::BRANCH_AND_BOUND,
+    QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::OUTER_APPROXIMATION};
 
 Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& A)
 {
@@ -883,17 +913,19 @@ void test_flat_problems()
   {
     Problem zero(3);
     zero.set_integer(0);
-    for(const Solution& s : { QM::solve_mixed_integer(zero, params::rounding_method(method)),
-                              QM::solve_mixed_integer(zero, params::rounding_method(method).maximum_dense_integers(0)),
-                              QM::solve_mixed_integer(zero, params::rounding_method(method).sparse_linear_solver(Other_solver())) })
-      assert(s.status == Solution::OPTIMAL && s.energy == 0. && s.x.size() == 3);
+    for(const Solution& s :
+        {QM::solve_mixed_integer(zero, params::rounding_method(method)),
+         QM::solve_mixed_integer(zero, params::rounding_method(method).maximum_dense_integers(0)),
+         QM::solve_mixed_integer(zero, params::rounding_method(method).sparse_linear_solver(Other_solver()))})
+      assert(s.status == QM::Mixed_integer_status::OPTIMAL && s.energy == 0. && s.x.size() == 3);
 
     Problem steep(2);
     steep.set_integer(0);
     steep.set_energy(Eigen::SparseMatrix<double>(2, 2), Eigen::Vector2d(0., -1.));
-    assert(QM::solve_mixed_integer(steep, params::rounding_method(method)).status == Solution::UNBOUNDED);
+    assert(QM::solve_mixed_integer(steep, params::rounding_method(method)).status ==
+           QM::Mixed_integer_status::UNBOUNDED);
 
-    if(method == QM::CUTTING_PLANES)
+    if(method == QM::Rounding_method::CUTTING_PLANES)
       continue;
     for(int integers : { 0, 1, 2 })
     {
@@ -901,25 +933,27 @@ void test_flat_problems()
       for(int i = 0; i < integers; ++i)
         valley.set_integer(i);
       valley.set_energy(sparse((Eigen::Matrix2d() << 1, -1, -1, 1).finished()), Eigen::Vector2d(1., 1.));
-      assert(QM::solve_mixed_integer(valley, params::rounding_method(method)).status == Solution::UNBOUNDED);
+      assert(QM::solve_mixed_integer(valley, params::rounding_method(method)).status ==
+             QM::Mixed_integer_status::UNBOUNDED);
       // A constraint closes it.
       valley.add_equality_constraint({ { 0, 1. }, { 1, 1. } }, 4.);
       const Solution s = QM::solve_mixed_integer(valley, params::rounding_method(method));
-      assert(s.status == Solution::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 2.));
+      assert(s.status == QM::Mixed_integer_status::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 2.));
     }
     // A minimum far away is one.
     Problem far(2);
     far.set_integer(0);
     far.set_energy(sparse(Eigen::Matrix2d::Identity()), Eigen::Vector2d(1e9 + 0.25, 3e9));
     const Solution s = QM::solve_mixed_integer(far, params::rounding_method(method));
-    assert(s.is_feasible() && std::fabs(s.x[0] - 1e9) < 0.3 && is_close(s.x[1], 3e9));
+    assert(s.is_valid() && std::fabs(s.x[0] - 1e9) < 0.3 && is_close(s.x[1], 3e9));
   }
 }
 
 // Inequalities over integers whose coefficients are fractions, and bounds that make no sense.
 void test_fractional_inequalities()
 {
-  for(QM::Rounding_method method : { QM::BRANCH_AND_BOUND, QM::BRANCH_AND_CUT, QM::CUTTING_PLANES, QM::OUTER_APPROXIMATION })
+  for(QM::Rounding_method method : {QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT,
+                                    QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::OUTER_APPROXIMATION})
   {
     Problem problem(2);
     problem.set_integer(0);
@@ -930,7 +964,7 @@ void test_fractional_inequalities()
     problem.set_bounds(0, 0., Problem::infinity());
     problem.set_bounds(1, 0., Problem::infinity());
     const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(1000));
-    assert(s.status == Solution::OPTIMAL && s.x[0] == 4. && s.x[1] == 0. && is_close(s.energy, -22.));
+    assert(s.status == QM::Mixed_integer_status::OPTIMAL && s.x[0] == 4. && s.x[1] == 0. && is_close(s.energy, -22.));
 
     // An even number between 0.5 and 1.5, on an unbounded strip.
     Problem strip(2);
@@ -940,14 +974,17 @@ void test_fractional_inequalities()
     strip.add_inequality_constraint({ { 0, 2. }, { 1, -2. } }, 1.5);
     strip.add_inequality_constraint({ { 0, -2. }, { 1, 2. } }, -0.5);
     strip.set_bounds(0, 0., Problem::infinity());
-    assert(QM::solve_mixed_integer(strip, params::rounding_method(method)).status == Solution::INFEASIBLE);
+    assert(QM::solve_mixed_integer(strip, params::rounding_method(method)).status ==
+           QM::Mixed_integer_status::INFEASIBLE);
 
     Problem senseless(1);
     senseless.set_integer(0);
     senseless.set_bounds(0, Problem::infinity(), Problem::infinity());
-    assert(QM::solve_mixed_integer(senseless, params::rounding_method(method)).status == Solution::INFEASIBLE);
+    assert(QM::solve_mixed_integer(senseless, params::rounding_method(method)).status ==
+           QM::Mixed_integer_status::INFEASIBLE);
     senseless.set_bounds(0, 0., std::numeric_limits<double>::quiet_NaN());
-    assert(QM::solve_mixed_integer(senseless, params::rounding_method(method)).status == Solution::NUMERICAL_FAILURE);
+    assert(QM::solve_mixed_integer(senseless, params::rounding_method(method)).status ==
+           QM::Mixed_integer_status::NUMERICAL_FAILURE);
   }
 }
 
@@ -988,9 +1025,9 @@ void test_visitor(CGAL::Random& random)
 {
   const Problem problem = grid_problem(random, 10, 30);
   Stopping_visitor visitor;
-  const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::NAIVE_ROUNDING)
+  const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)
     .visitor(std::ref(visitor)));
-  assert(s.status == Solution::LIMIT_REACHED && s.x.size() == 0);
+  assert(s.status == QM::Mixed_integer_status::LIMIT_REACHED && s.x.size() == 0);
 }
 
 int main()

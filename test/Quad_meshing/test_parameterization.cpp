@@ -320,7 +320,7 @@ void test_maps()
 {
   // A rectangle of 2 x 1 with quads of length 0.2: the map is the scaling, 50 quads, no distortion at all.
   {
-    const Mapped m = map_of(test_meshes::grid(13, 7, 2, 1), 0.2, QM::GREEDY_ROUNDING, "rectangle");
+    const Mapped m = map_of(test_meshes::grid(13, 7, 2, 1), 0.2, QM::Rounding_method::GREEDY, "rectangle");
     assert(area_of_map(m) == 50);
     assert(m.result.energy < 1e-12);
     for(Mesh::Vertex_index v : m.tm.vertices())
@@ -328,8 +328,9 @@ void test_maps()
         assert(m.index[v] == 1); // a corner
   }
   // The unit cube: six squares of 5 x 5.
-  assert(area_of_map(map_of(test_meshes::cube(6), 0.2, QM::GREEDY_ROUNDING, "cube")) == 150);
-  for(QM::Rounding_method method : { QM::DIRECT_ROUNDING, QM::GREEDY_ROUNDING, QM::LATTICE_ROUNDING })
+  assert(area_of_map(map_of(test_meshes::cube(6), 0.2, QM::Rounding_method::GREEDY, "cube")) == 150);
+  for(QM::Rounding_method method :
+      {QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
   {
     const double sphere = area_of_map(map_of(test_meshes::icosphere(3), 0.2, method, "sphere"));
     assert(std::abs(sphere / (4 * std::acos(-1.) / 0.04) - 1) < 0.25);
@@ -337,15 +338,15 @@ void test_maps()
     map_of(test_meshes::grid_with_hole(12, 12, 4, 8, 4, 8), 0.07, method, "square with a hole");
     map_of(test_meshes::double_ring(3), 0.25, method, "two rings");
   }
-  map_of(test_meshes::two_components(5, 3), 0.25, QM::GREEDY_ROUNDING, "two components");
-  map_of(test_meshes::l_prism(4), 0.2, QM::GREEDY_ROUNDING, "L");
-  map_of(test_meshes::cylinder(24, 8, true), 0.25, QM::GREEDY_ROUNDING, "cylinder with caps");
-  map_of(test_meshes::sheared_cube(6), 0.1, QM::GREEDY_ROUNDING, "sheared cube");
+  map_of(test_meshes::two_components(5, 3), 0.25, QM::Rounding_method::GREEDY, "two components");
+  map_of(test_meshes::l_prism(4), 0.2, QM::Rounding_method::GREEDY, "L");
+  map_of(test_meshes::cylinder(24, 8, true), 0.25, QM::Rounding_method::GREEDY, "cylinder with caps");
+  map_of(test_meshes::sheared_cube(6), 0.1, QM::Rounding_method::GREEDY, "sheared cube");
 
   // lattice rounding never ends above greedy rounding
   const test_meshes::Soup ball = test_meshes::perturbed(test_meshes::icosphere(3), 0.05, 3);
-  const Mapped greedy = map_of(ball, 0.3, QM::GREEDY_ROUNDING, "rough ball, greedy");
-  const Mapped lattice = map_of(ball, 0.3, QM::LATTICE_ROUNDING, "rough ball, lattice");
+  const Mapped greedy = map_of(ball, 0.3, QM::Rounding_method::GREEDY, "rough ball, greedy");
+  const Mapped lattice = map_of(ball, 0.3, QM::Rounding_method::LATTICE, "rough ball, lattice");
   if(greedy.result.separations == 0 && lattice.result.separations == 0)
     assert(lattice.result.energy <= greedy.result.energy + 1e-9 * std::abs(greedy.result.energy));
 }
@@ -354,7 +355,8 @@ void test_maps()
 // As many threads as wanted: the same map, to the last bit.
 void test_threads()
 {
-  Mapped m = map_of(test_meshes::perturbed(test_meshes::double_ring(4), 0.02, 1), 0.2, QM::GREEDY_ROUNDING, "rough rings");
+  Mapped m = map_of(test_meshes::perturbed(test_meshes::double_ring(4), 0.02, 1), 0.2, QM::Rounding_method::GREEDY,
+                    "rough rings");
   auto uv = m.tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv_3").first;
   QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, uv,
                        parameters::target_edge_length(0.2).edge_is_constrained_map(m.is_feature).number_of_threads(3u));
@@ -372,7 +374,7 @@ void test_threads()
 
 void test_check()
 {
-  const Mapped good = map_of(test_meshes::cube(6), 0.2, QM::GREEDY_ROUNDING, "cube");
+  const Mapped good = map_of(test_meshes::cube(6), 0.2, QM::Rounding_method::GREEDY, "cube");
   const auto check = [&](const Mapped& m) { return QM::is_integer_grid_map(m.tm, m.uv, parameters::edge_is_constrained_map(m.is_feature)); };
   const Mesh::Face_index f = *good.tm.faces().begin();
 
@@ -475,7 +477,7 @@ void test_separated_rounding()
 // A displacement that folds triangles when it is simply added is made without folding; an impossible one is not made.
 void test_carrying()
 {
-  Mapped m = map_of(test_meshes::icosphere(4), 0.15, QM::GREEDY_ROUNDING, "carried sphere");
+  Mapped m = map_of(test_meshes::icosphere(4), 0.15, QM::Rounding_method::GREEDY, "carried sphere");
   const QM::internal::Indexed_triangle_mesh mesh = indexed(m.tm);
   std::vector<double> angle;
   std::vector<int> jump, quarters;

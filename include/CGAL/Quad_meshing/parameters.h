@@ -39,13 +39,13 @@
 //   face_location_map               property map  receives quad vertex -> its place on the input mesh; none
 //
 // Mixed-integer problems
-//   rounding_method                 Rounding_method  how integer conditions are met; GREEDY_ROUNDING, BRANCH_AND_BOUND
+//   rounding_method                 Rounding_method  how integer conditions are met; GREEDY, BRANCH_AND_BOUND
 //                                                 where there are inequalities
 //   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
 //                                                 other; 1e-6
 //   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
-//                                                 variables; 1e-4
-//   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 100000
+//                                                 variables; 3e-4
+//   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 20000
 //   conjugate_gradient_iterations   int           steps per rounding, 0 switches the level off; 10
 //   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
 //                                                 deviations sum up to less than one half; true

@@ -101,7 +101,7 @@ The result depends on nothing but the surface and the parameters: not on the num
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how the integers of the map are chosen}
     \cgalParamType{`Rounding_method`}
-    \cgalParamDefault{`GREEDY_ROUNDING`}
+    \cgalParamDefault{`Rounding_method::GREEDY`}
   \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
     \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1]}

@@ -21,32 +21,39 @@ namespace Quad_meshing {
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
 
+\brief What became of a mixed-integer problem.
+*/
+enum class Mixed_integer_status
+{
+  /// The energy is proven minimal, within the relative gap asked for.
+  OPTIMAL,
+  /// All conditions hold, optimality is not proven.
+  FEASIBLE,
+  /// Some constraints contradict others and were ignored; all other conditions hold.
+  CONFLICTING_CONSTRAINTS,
+  /// No point meets all the constraints, bounds and integer conditions.
+  INFEASIBLE,
+  /// The energy is unbounded below.
+  UNBOUNDED,
+  /// The time or node limit was met before a feasible solution was found.
+  LIMIT_REACHED,
+  /// The visitor asked to stop.
+  STOPPED,
+  /// The method cannot treat this problem; the message says why.
+  UNSUPPORTED_PROBLEM,
+  /// A factorization failed: the energy is not convex, or a coefficient is not finite.
+  NUMERICAL_FAILURE
+};
+
+/*!
+\ingroup PkgQuadMeshingMixedIntegerRef
+
 \brief The answer of `solve_mixed_integer()`.
 */
 struct Mixed_integer_solution
 {
   /// What became of the problem.
-  enum Status
-  {
-    /// The energy is proven minimal, within the relative gap asked for.
-    OPTIMAL = 0,
-    /// All conditions hold, optimality is not proven.
-    FEASIBLE,
-    /// Some constraints contradict others and were ignored; all other conditions hold.
-    CONFLICTING_CONSTRAINTS,
-    /// No point meets all the constraints, bounds and integer conditions.
-    INFEASIBLE,
-    /// The energy is unbounded below.
-    UNBOUNDED,
-    /// The time or node limit was met before a feasible solution was found.
-    LIMIT_REACHED,
-    /// The method cannot treat this problem; the message says why.
-    UNSUPPORTED_PROBLEM,
-    /// A factorization failed: the energy is not convex, or a coefficient is not finite.
-    NUMERICAL_FAILURE
-  };
-
-  Status status = NUMERICAL_FAILURE;
+  Mixed_integer_status status = Mixed_integer_status::NUMERICAL_FAILURE;
   /// One sentence that says what happened.
   std::string message;
 
@@ -96,10 +103,10 @@ struct Mixed_integer_solution
   double seconds = 0;
 
   /// tells whether `x` meets all the conditions that do not contradict each other.
-  bool is_feasible() const
+  bool is_valid() const
   {
-    return status == OPTIMAL || status == FEASIBLE ||
-           (status == CONFLICTING_CONSTRAINTS && all_integers_satisfied);
+    return status == Mixed_integer_status::OPTIMAL || status == Mixed_integer_status::FEASIBLE ||
+           (status == Mixed_integer_status::CONFLICTING_CONSTRAINTS && all_integers_satisfied);
   }
 };
 
@@ -107,14 +114,14 @@ struct Mixed_integer_solution
 \ingroup PkgQuadMeshingMixedIntegerRef
 \brief returns the name of a status in lower case, for instance `"optimal"`.
 */
-inline const char* status_name(Mixed_integer_solution::Status status)
+inline const char* status_name(Mixed_integer_status status)
 {
   static const char* const names[] = { "optimal", "feasible", "conflicting_constraints", "infeasible",
-                                       "unbounded", "limit_reached", "unsupported_problem",
+                                       "unbounded", "limit_reached", "stopped", "unsupported_problem",
                                        "numerical_failure" };
-  static_assert(sizeof(names) / sizeof(names[0]) == Mixed_integer_solution::NUMERICAL_FAILURE + 1,
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<int>(Mixed_integer_status::NUMERICAL_FAILURE) + 1,
                 "every status needs a name");
-  return names[status];
+  return names[static_cast<int>(status)];
 }
 
 } // namespace Quad_meshing

@@ -20,22 +20,22 @@ namespace Quad_meshing {
 The first group approximates and never needs more than the energy and equality constraints; the second
 group finds the optimum, or a solution with a proven gap, and also knows inequality constraints and bounds.
 */
-enum Rounding_method
+enum class Rounding_method
 {
   /// Integer conditions are ignored.
-  RELAXED = 0,
+  RELAXED,
   /// All integers are rounded at once from the relaxed solution. Two linear systems, poor energy.
-  DIRECT_ROUNDING,
+  DIRECT,
   /// One integer at a time, the one nearest to an integer first, with the exact solution of the
   /// others after each rounding: one sparse system, and every 64 roundings a factorization. The reference for greedy rounding.
-  NAIVE_ROUNDING,
+  NAIVE,
   /// The same order of roundings, at a fraction of the cost: one factorization and dense updates if
   /// integers are few, else local Gauss-Seidel, preconditioned conjugate gradient and sparse Cholesky,
   /// whichever suffices.
-  GREEDY_ROUNDING,
+  GREEDY,
   /// Decodes the integers as a closest-vector problem: lattice reduction, nearest plane, enumeration.
   /// Gives the best solution found within the limits, and a proven lower bound.
-  LATTICE_ROUNDING,
+  LATTICE,
   /// Branch-and-bound on the convex quadratic relaxation. Knows inequality constraints and bounds.
   BRANCH_AND_BOUND,
   /// Branch-and-bound with cutting planes in the nodes. Knows inequality constraints and bounds.
@@ -50,9 +50,9 @@ enum Rounding_method
 \ingroup PkgQuadMeshingMixedIntegerRef
 \brief The order in which branch-and-bound takes up its open subproblems.
 */
-enum Subproblem_selection
+enum class Subproblem_selection
 {
-  BEST_BOUND = 0,  ///< the smallest lower bound first: the fewest subproblems to a proof
+  BEST_BOUND,  ///< the smallest lower bound first: the fewest subproblems to a proof
   DEPTH_FIRST,     ///< the deepest first: soon a feasible solution, little memory
   BEST_ESTIMATE    ///< the smallest estimate of the best integer solution of a subproblem first
 };
@@ -61,9 +61,9 @@ enum Subproblem_selection
 \ingroup PkgQuadMeshingMixedIntegerRef
 \brief The choice of the variable on which branch-and-bound splits a subproblem.
 */
-enum Branching_rule
+enum class Branching_rule
 {
-  MINIMUM_INFEASIBILITY = 0, ///< the variable nearest to an integer
+  MINIMUM_INFEASIBILITY, ///< the variable nearest to an integer
   MAXIMUM_INFEASIBILITY,     ///< the variable farthest from an integer
   PSEUDO_COSTS               ///< the variable whose past branchings raised the bound most
 };
@@ -77,9 +77,9 @@ inline const char* rounding_method_name(Rounding_method method)
   static const char* const names[] = { "relaxed", "direct", "naive", "greedy", "lattice",
                                        "branch-and-bound", "branch-and-cut", "cutting-planes",
                                        "outer-approximation" };
-  static_assert(sizeof(names) / sizeof(names[0]) == OUTER_APPROXIMATION + 1,
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<int>(Rounding_method::OUTER_APPROXIMATION) + 1,
                 "every rounding method needs a name");
-  return names[method];
+  return names[static_cast<int>(method)];
 }
 
 } // namespace Quad_meshing

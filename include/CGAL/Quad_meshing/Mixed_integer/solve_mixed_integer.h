@@ -57,7 +57,7 @@ exception is thrown and nothing is printed.
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{the way to meet the integer conditions}
     \cgalParamType{`Rounding_method`}
-    \cgalParamDefault{`GREEDY_ROUNDING`, or `BRANCH_AND_BOUND` if there are inequality constraints or bounds}
+    \cgalParamDefault{`Rounding_method::GREEDY`, or `BRANCH_AND_BOUND` if there are inequality constraints or bounds}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of symmetric positive definite systems; only its type matters}
@@ -109,7 +109,7 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`3e7`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_bound_rounds}
-    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE_ROUNDING` where the
+    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE` where the
                           enumeration has not proven the optimum. A round adds as many inequalities as there are integers; six take some
                           seconds with 100 integers, and each step takes time cubic in them.}
     \cgalParamType{`int`}
@@ -129,12 +129,12 @@ exception is thrown and nothing is printed.
   \cgalParamNBegin{subproblem_selection}
     \cgalParamDescription{the order in which branch-and-bound takes up its subproblems}
     \cgalParamType{`Subproblem_selection`}
-    \cgalParamDefault{`BEST_BOUND`}
+    \cgalParamDefault{`Subproblem_selection::BEST_BOUND`}
   \cgalParamNEnd
   \cgalParamNBegin{branching_rule}
     \cgalParamDescription{the variable on which branch-and-bound splits}
     \cgalParamType{`Branching_rule`}
-    \cgalParamDefault{`PSEUDO_COSTS`}
+    \cgalParamDefault{`Branching_rule::PSEUDO_COSTS`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{told about the progress, and asked whether to go on}
@@ -166,7 +166,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
 
   internal::Solver_options options;
   options.method = choose_parameter(get_parameter(np, internal_np::rounding_method),
-                                    problem.has_inequalities() ? BRANCH_AND_BOUND : GREEDY_ROUNDING);
+                                    problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND
+                                                               : Rounding_method::GREEDY);
   options.constraint_tolerance = choose_parameter(get_parameter(np, internal_np::constraint_tolerance),
                                                   options.constraint_tolerance);
   options.rounding_tolerance = choose_parameter(get_parameter(np, internal_np::rounding_tolerance),

@@ -33,7 +33,7 @@ struct Quadrangulation_options
   /// How the singularities of the field are found. The smoothest fields have the fewest, but their maps are more
   /// distorted.
   Cross_field_method cross_field_method = Cross_field_method::REPRESENTATION;
-  Rounding_method rounding_method = GREEDY_ROUNDING; ///< how the integers of the map are chosen
+  Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;    ///< the weight of lengths against directions, in (0, 1]
   bool optimize_structure = false; ///< whether `optimize_quad_structure()` makes the base complex coarser
   unsigned int smoothing_iterations = 20; ///< largest number of steps of the final smoothing; 0 smooths nothing

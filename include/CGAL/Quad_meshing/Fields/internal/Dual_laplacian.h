@@ -10,12 +10,14 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_DUAL_LAPLACIAN_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -43,9 +45,6 @@ struct Sparse_vector
 class Dual_laplacian
 {
 public:
-  typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> Permutation;
-
   explicit Dual_laplacian(const Field_problem& problem)
     : m_problem(problem)
   {
@@ -74,18 +73,18 @@ public:
       if(f != -1)
         entries.emplace_back(m_row[f], m_row[f], 1.);
 
-    Matrix a(n, n);
+    Eigen::SparseMatrix<double> a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
-    Permutation inverse;
-    Eigen::AMDOrdering<int>()(a, inverse);
-    m_permutation = inverse.inverse();
-    Matrix permuted(n, n);
-    permuted.selfadjointView<Eigen::Lower>() = a.selfadjointView<Eigen::Lower>().twistedBy(m_permutation);
-    m_cholesky.compute(permuted);
+    if(m_cholesky.compute(a))
+      m_factor = m_cholesky.factor();
+    m_row_of_factor.resize(n);
+    if(m_factor)
+      for(int i = 0; i < n; ++i)
+        m_row_of_factor[m_factor->permutation[i]] = i;
     m_work.assign(n, 0.);
   }
 
-  bool is_valid() const { return m_row.empty() || m_cholesky.info() == Eigen::Success; }
+  bool is_valid() const { return m_factor != nullptr; }
   int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
 
   // Sets the angles of all faces to the best ones for the period jumps of the field.
@@ -105,9 +104,7 @@ public:
       }
     if(n == 0)
       return;
-    rhs = m_permutation * rhs;
-    rhs = m_cholesky.solve(rhs).eval();
-    rhs = m_permutation.inverse() * rhs;
+    m_cholesky.solve_in_place(rhs.data());
     for(std::size_t f = 0; f < m_row.size(); ++f)
       if(m_row[f] != -1)
         field.angle[f] = rhs[m_row[f]];
@@ -125,13 +122,13 @@ public:
         if(m_problem.is_inner(e))
         {
           const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
-          if(i != -1) side(e, m_permutation.indices()[i], 1);
-          if(j != -1) side(e, m_permutation.indices()[j], -1);
+          if(i != -1) side(e, i, 1);
+          if(j != -1) side(e, j, -1);
         }
     };
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
     for_each_free_side([&](int e, int row, int sign) { sums[row] += sign * x[e]; });
-    sums = m_cholesky.solve(sums).eval();
+    m_cholesky.solve_in_place(sums.data());
     for_each_free_side([&](int e, int row, int sign) { x[e] -= sign * sums[row]; });
   }
 
@@ -142,30 +139,29 @@ public:
     // entries of P, which are at most one, by a few times its size.
     const double negligible = 2e-4;
 
-    const auto& l = m_cholesky.matrixL().nestedExpression();
+    const Cholesky_factor<double>& l = *m_factor;
     Sparse_vector y;
     int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
     if(i == j) // only if both are -1
       return y;
-    if(i != -1) { i = m_permutation.indices()[i]; m_work[i] += 1.; }
-    if(j != -1) { j = m_permutation.indices()[j]; m_work[j] -= 1.; }
+    if(i != -1) { i = m_row_of_factor[i]; m_work[i] += 1.; }
+    if(j != -1) { j = m_row_of_factor[j]; m_work[j] -= 1.; }
 
     // Follows the two paths upwards in ascending order of columns until they join and end.
     while(i != -1 || j != -1)
     {
       const int column = (j == -1 || (i != -1 && i < j)) ? i : j;
-      const int begin = l.outerIndexPtr()[column];
-      const int end = column_end(l, column);
-      const double x = m_work[column] / l.valuePtr()[begin];
+      const std::size_t begin = l.column_begin[column], end = l.column_begin[column + 1];
+      const double x = m_work[column] / l.value[begin];
       m_work[column] = 0.;
       if(std::abs(x) > negligible)
       {
         y.index.push_back(column);
         y.value.push_back(x);
-        for(int p = begin + 1; p < end; ++p)
-          m_work[l.innerIndexPtr()[p]] -= x * l.valuePtr()[p];
+        for(std::size_t p = begin + 1; p < end; ++p)
+          m_work[l.row[p]] -= x * l.value[p];
       }
-      const int parent = begin + 1 < end ? l.innerIndexPtr()[begin + 1] : -1;
+      const int parent = begin + 1 < end ? l.row[begin + 1] : -1;
       if(i == column) i = parent;
       if(j == column) j = parent;
     }
@@ -173,16 +169,11 @@ public:
   }
 
 private:
-  template <typename Factor>
-  static int column_end(const Factor& l, int column)
-  {
-    return l.isCompressed() ? l.outerIndexPtr()[column + 1] : l.outerIndexPtr()[column] + l.innerNonZeroPtr()[column];
-  }
-
   const Field_problem& m_problem;
-  std::vector<int> m_row;
-  Permutation m_permutation;
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int> > m_cholesky;
+  std::vector<int> m_row;                              // per face: its row in A, -1 if its angle is given
+  Sparse_cholesky<double> m_cholesky;
+  std::unique_ptr<Cholesky_factor<double> > m_factor;
+  std::vector<int> m_row_of_factor;                    // per row of A
   std::vector<double> m_work; // zero between calls
 };
 

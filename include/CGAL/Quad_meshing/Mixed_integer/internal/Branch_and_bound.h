@@ -96,9 +96,11 @@ inline int branching_variable(const Eigen::VectorXd& y, const std::vector<char>&
     double score = 0.;
     switch(rule)
     {
-      case MINIMUM_INFEASIBILITY: score = -infeasibility; break;
-      case MAXIMUM_INFEASIBILITY: score = infeasibility; break;
-      case PSEUDO_COSTS: score = (below * pseudo_costs.estimate(i, 0)) * (above * pseudo_costs.estimate(i, 1)); break;
+      case Branching_rule::MINIMUM_INFEASIBILITY: score = -infeasibility; break;
+      case Branching_rule::MAXIMUM_INFEASIBILITY: score = infeasibility; break;
+      case Branching_rule::PSEUDO_COSTS:
+        score = (below * pseudo_costs.estimate(i, 0)) * (above * pseudo_costs.estimate(i, 1));
+        break;
     }
     if(score > best_score)
     {
@@ -254,12 +256,13 @@ private:
       if(m_problem.is_integer[i])
       {
         const double below = node->y[i] - std::floor(node->y[i]);
-        node->estimate += (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
+        node->estimate +=
+            (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
       }
     double key = node->energy;
-    if(m_options.subproblem_selection == DEPTH_FIRST)
+    if(m_options.subproblem_selection == Subproblem_selection::DEPTH_FIRST)
       key = -depth;
-    else if(m_options.subproblem_selection == BEST_ESTIMATE)
+    else if(m_options.subproblem_selection == Subproblem_selection::BEST_ESTIMATE)
       key = node->estimate;
     m_bounds.insert(node->energy);
     m_queue.insert(Entry(key, -(++m_number), node)); // the youngest of equals first

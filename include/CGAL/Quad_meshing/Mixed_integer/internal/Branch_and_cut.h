@@ -218,9 +218,9 @@ private:
   void enqueue(const std::shared_ptr<Node>& node)
   {
     double key = node->bound;
-    if(m_options.subproblem_selection == DEPTH_FIRST)
+    if(m_options.subproblem_selection == Subproblem_selection::DEPTH_FIRST)
       key = -node->depth;
-    else if(m_options.subproblem_selection == BEST_ESTIMATE)
+    else if(m_options.subproblem_selection == Subproblem_selection::BEST_ESTIMATE)
       for(int i = 0; i < node->y.size(); ++i)
         if(m_master.problem().is_integer[i])
         {

@@ -48,9 +48,9 @@ public:
     m_A = m_problem.matrix();
     m_b = m_problem.linear_term();
     if(!is_finite())
-      return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "A coefficient is not a finite number.");
-    if(m_problem.has_inequalities() && m_options.method < BRANCH_AND_BOUND)
-      return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE, "A coefficient is not a finite number.");
+    if(m_problem.has_inequalities() && m_options.method < Rounding_method::BRANCH_AND_BOUND)
+      return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
 
     m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance);
@@ -63,11 +63,13 @@ public:
     m_ran = true;
     switch(m_options.method)
     {
-      case RELAXED: run_relaxed(); break;
-      case DIRECT_ROUNDING: m_ran = direct_rounding(m_linear_solver, m_reduced, m_z, m_solution); break;
-      case NAIVE_ROUNDING: m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options); break;
-      case GREEDY_ROUNDING: run_greedy(); break;
-      case LATTICE_ROUNDING: run_lattice(); break;
+      case Rounding_method::RELAXED: run_relaxed(); break;
+      case Rounding_method::DIRECT: m_ran = direct_rounding(m_linear_solver, m_reduced, m_z, m_solution); break;
+      case Rounding_method::NAIVE:
+        m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options);
+        break;
+      case Rounding_method::GREEDY: run_greedy(); break;
+      case Rounding_method::LATTICE: run_lattice(); break;
       default: return run_search();
     }
     return finish();
@@ -95,7 +97,7 @@ private:
     return m_b.allFinite() && std::isfinite(m_problem.constant());
   }
 
-  Mixed_integer_solution fail(Mixed_integer_solution::Status status, const std::string& message)
+  Mixed_integer_solution fail(Mixed_integer_status status, const std::string& message)
   {
     m_solution.status = status;
     m_solution.message = message;
@@ -190,7 +192,7 @@ private:
   {
     const Bounded_problem bounded = make_bounded_problem(m_problem, m_constraints);
     if(bounded.is_infeasible)
-      return fail(Mixed_integer_solution::INFEASIBLE, "A bound contradicts the other constraints.");
+      return fail(Mixed_integer_status::INFEASIBLE, "A bound contradicts the other constraints.");
     double largest = 0.;
     for(int j = 0; j < m_reduced.A.cols(); ++j)
       for(Eigen::SparseMatrix<double>::InnerIterator it(m_reduced.A, j); it; ++it)
@@ -205,7 +207,7 @@ private:
       is_kept[v] = 1;
     for(int v = 0; v < m_reduced.size(); ++v)
       if(!is_kept[v] && m_reduced.b[v] != 0.)
-        return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+        return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     const std::function<bool()> go_further = limits();
     const Eigen::VectorXd c = -subvector(m_reduced.b, bounded.kept);
     const Linear_master master(bounded, c, m_reduced.constant);
@@ -213,11 +215,12 @@ private:
     if(relaxation.solve())
       m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
     Search_result result;
-    if(m_options.method == CUTTING_PLANES)
+    if(m_options.method == Rounding_method::CUTTING_PLANES)
       result = cutting_planes(master, m_options, go_further);
     else
     {
-      Branch_and_cut search(master, m_options, m_options.method == BRANCH_AND_BOUND ? 0 : cut_rounds, go_further);
+      Branch_and_cut search(master, m_options, m_options.method == Rounding_method::BRANCH_AND_BOUND ? 0 : cut_rounds,
+                            go_further);
       result = search.run(Eigen::VectorXd(), 0.);
     }
     if(result.is_found)
@@ -231,8 +234,8 @@ private:
 
   Mixed_integer_solution search_quadratic(const Bounded_problem& bounded)
   {
-    if(m_options.method == CUTTING_PLANES)
-      return fail(Mixed_integer_solution::UNSUPPORTED_PROBLEM,
+    if(m_options.method == Rounding_method::CUTTING_PLANES)
+      return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Cutting planes alone need a linear objective; outer approximation takes convex ones.");
     // The other variables follow from those that matter to the search.
     Integer_energy schur(m_linear_solver);
@@ -261,7 +264,7 @@ private:
         return finish();
     }
     Search_result result;
-    if(m_options.method == BRANCH_AND_BOUND)
+    if(m_options.method == Rounding_method::BRANCH_AND_BOUND)
     {
       Branch_and_bound search(bounded, schur.matrix(), schur.target(), constant, m_options, go_further);
       if(incumbent.size() == 0)
@@ -274,7 +277,7 @@ private:
       if(incumbent.size() == 0)
         m_solution.relaxed_energy =
           Branch_and_bound(bounded, schur.matrix(), schur.target(), constant, m_options, go_further).relaxed_energy();
-      if(m_options.method == OUTER_APPROXIMATION)
+      if(m_options.method == Rounding_method::OUTER_APPROXIMATION)
         result = outer_approximation(master, m_options, incumbent, constant + radius, go_further);
       else
       {
@@ -292,12 +295,12 @@ private:
     m_solution.nodes = result.nodes;
     m_solution.cuts = result.cuts;
     if(result.is_unbounded)
-      return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+      return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     if(!result.is_found && result.is_complete)
-      return fail(Mixed_integer_solution::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
+      return fail(Mixed_integer_status::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
     m_solution.lower_bound = result.lower_bound;
     if(!result.is_found)
-      return fail(Mixed_integer_solution::LIMIT_REACHED, "A limit was met before a feasible solution was found.");
+      return fail(Mixed_integer_status::LIMIT_REACHED, "A limit was met before a feasible solution was found.");
     m_is_proven = result.is_complete && m_options.relative_gap_tolerance <= proof_tolerance;
     return finish();
   }
@@ -311,14 +314,14 @@ private:
     if(!m_ran)
     {
       if(!m_options.go_further(1.))
-        return fail(Mixed_integer_solution::LIMIT_REACHED, "The visitor asked to stop.");
-      return fail(Mixed_integer_solution::NUMERICAL_FAILURE,
+        return fail(Mixed_integer_status::LIMIT_REACHED, "The visitor asked to stop.");
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE,
                   "A factorization failed: the energy is not convex where the constraints hold.");
     }
     if(!m_z.allFinite())
-      return fail(Mixed_integer_solution::NUMERICAL_FAILURE, "The linear system is numerically singular.");
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE, "The linear system is numerically singular.");
     if(is_unbounded())
-      return fail(Mixed_integer_solution::UNBOUNDED, "The energy is unbounded below.");
+      return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     expand();
 
     const double epsilon = 1e-10; // keeps the gap finite for zero energies
@@ -332,23 +335,23 @@ private:
 
     if(!m_solution.conflicting_constraints.empty())
     {
-      m_solution.status = Mixed_integer_solution::CONFLICTING_CONSTRAINTS;
+      m_solution.status = Mixed_integer_status::CONFLICTING_CONSTRAINTS;
       m_solution.message = std::to_string(m_solution.conflicting_constraints.size())
         + " constraints contradict the others or the integer conditions and were ignored.";
     }
-    else if(m_options.method != RELAXED && !m_solution.all_integers_satisfied)
+    else if(m_options.method != Rounding_method::RELAXED && !m_solution.all_integers_satisfied)
     {
-      m_solution.status = Mixed_integer_solution::INFEASIBLE;
+      m_solution.status = Mixed_integer_status::INFEASIBLE;
       m_solution.message = "A constraint with real coefficients leaves an integer variable no integer value.";
     }
     else if(m_is_proven || m_solution.gap <= m_options.relative_gap_tolerance)
     {
-      m_solution.status = Mixed_integer_solution::OPTIMAL;
+      m_solution.status = Mixed_integer_status::OPTIMAL;
       m_solution.message = "The energy is minimal.";
     }
     else
     {
-      m_solution.status = Mixed_integer_solution::FEASIBLE;
+      m_solution.status = Mixed_integer_status::FEASIBLE;
       m_solution.message = "All conditions hold; the energy is not proven minimal.";
     }
     return m_solution;
@@ -383,7 +386,8 @@ private:
         continue;
       double& v = m_solution.x[i];
       const double rounded = std::floor(v + 0.5) + 0.; // no negative zeros
-      if(m_options.method != RELAXED && std::fabs(v - rounded) <= round_off * (std::max)(1., std::fabs(v)))
+      if(m_options.method != Rounding_method::RELAXED &&
+         std::fabs(v - rounded) <= round_off * (std::max)(1., std::fabs(v)))
         v = rounded;
       m_solution.all_integers_satisfied = m_solution.all_integers_satisfied && v == rounded;
     }

@@ -21,7 +21,7 @@ namespace internal {
 // The named parameters of `solve_mixed_integer()`, read once.
 struct Solver_options
 {
-  Rounding_method method = GREEDY_ROUNDING;
+  Rounding_method method = Rounding_method::GREEDY;
   double constraint_tolerance = 1e-6;
   double rounding_tolerance = 3e-4;
   int gauss_seidel_iterations = 20000;
@@ -32,8 +32,8 @@ struct Solver_options
   double maximum_number_of_nodes = 3e7;
   int number_of_bound_rounds = 0;
   double relative_gap_tolerance = 1e-9;
-  Subproblem_selection subproblem_selection = BEST_BOUND;
-  Branching_rule branching_rule = PSEUDO_COSTS;
+  Subproblem_selection subproblem_selection = Subproblem_selection::BEST_BOUND;
+  Branching_rule branching_rule = Branching_rule::PSEUDO_COSTS;
   // Reports progress in [0,1]; false asks to stop.
   std::function<bool(double)> go_further = [](double) { return true; };
 };

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The quadratic orientation energy of the thesis, Section 8.4, over the independent variables of a seamless map:
+// The quadratic orientation energy [Bom12, 8.4] over the independent variables of a seamless map:
 // 1/2 x'Ax - x'b + constant = sum over the triangles of
 // w area / h^2 (|h grad u - u_T|^2 in the norm (g, 1) + |h grad v - v_T|^2 in the norm (1, g)).
 struct Orientation_energy

@@ -10,13 +10,13 @@
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_SEARCH_H
 
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Watched_visitor.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
-#include <CGAL/Quad_meshing/internal/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -248,9 +248,9 @@ private:
                          .visitor(std::ref(m_visitor)));
     ++figures.parameterization_attempts;
     figures.parameterization_seconds += r.seconds;
-    if(r.status == Integer_grid_map_result::STOPPED)
+    if(r.status == Integer_grid_map_status::STOPPED)
       return stopped(r.message);
-    if(r.status != Integer_grid_map_result::VALID && r.status != Integer_grid_map_result::FOLDED)
+    if(r.status != Integer_grid_map_status::VALID && r.status != Integer_grid_map_status::FOLDED)
     {
       fail(Status::FAILED, r.message);
       return nullptr;
@@ -297,8 +297,8 @@ private:
     attempt.other_faces = r.other_faces;
     attempt.irregular_vertices = r.irregular_vertices + r.irregular_border_vertices;
     attempt.is_simple = r.status != Quad_extraction_status::NOT_SIMPLE;
-    transfer_feature_edges(m_surface.mesh, map_of(boost::edge_index, attempt.field->is_feature), get(boost::vertex_index, m_surface.mesh),
-                           get(boost::edge_index, m_surface.mesh), quads->mesh, quads->location, quads->is_feature);
+    transfer_feature_edges(m_surface.mesh, map_of(boost::edge_index, attempt.field->is_feature), quads->mesh, quads->location,
+                           quads->is_feature);
     attempt.quads = quads;
     return true;
   }

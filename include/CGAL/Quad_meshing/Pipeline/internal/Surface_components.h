@@ -79,17 +79,21 @@ private:
     const int ns = 3 * number_of_faces();
     std::vector<int> order(ns);
     std::iota(order.begin(), order.end(), 0);
-    auto ends = [&](int s) { return std::minmax(vertex(s), vertex(next(s))); };
+    auto ends = [&](int s)
+    {
+      const int a = vertex(s), b = vertex(next(s));
+      return std::make_pair((std::min)(a, b), (std::max)(a, b));
+    };
     std::sort(order.begin(), order.end(), [&](int s, int t)
     {
       const std::pair<int, int> a = ends(s), b = ends(t);
-      return std::tie(a, s) < std::tie(b, t);
+      return a != b ? a < b : s < t;
     });
     m_opposite.assign(ns, -1);
     for(int i = 0; i < ns; )
     {
       int j = i + 1;
-      while(j < ns && std::pair<int, int>(ends(order[j])) == std::pair<int, int>(ends(order[i])))
+      while(j < ns && ends(order[j]) == ends(order[i]))
         ++j;
       const int s = order[i], t = order[j - 1];
       const std::string names = std::to_string(vertex(s)) + " and " + std::to_string(vertex(next(s)));

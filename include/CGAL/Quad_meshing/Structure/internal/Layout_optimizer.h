@@ -87,13 +87,14 @@ public:
 
   // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
   // coarser ones before finer ones; false if there is none that is better than the input.
-  bool next(Structure_state& result)
+  template <typename GoFurther>
+  bool next(Structure_state& result, const GoFurther& go_further)
   {
-    while(!m_layouts.empty())
+    while(!m_layouts.empty() && go_further())
     {
       const std::vector<int> layout = m_layouts.back();
       m_layouts.pop_back();
-      if(realize(*m_quantization, layout, result))
+      if(realize(*m_quantization, layout, result, go_further))
         return true;
     }
     return false;
@@ -110,14 +111,16 @@ private:
     };
   }
 
-  bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result) const
+  template <typename GoFurther>
+  bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result,
+               const GoFurther& go_further) const
   {
     Layout_curves curves(quantization, layout);
     curves.follow(m_bends);
     const Layout_realization itself(m_input.mesh, quantization, layout, m_input.is_fixed, Layout_realization::TOPOLOGY);
     const Layout_helices helices(itself, curves);
     const Layout_cost::Density density = m_search->cost().density(curves, helices, m_target_quads);
-    std::vector<int> length = improved(quantization, curves, helices, density.multiplicities);
+    std::vector<int> length = improved(quantization, curves, helices, density.multiplicities, go_further);
     // a very coarse mesh may have edges that share both ends
     double aim = largest_edge_length;
     while(fits(quantization, length))
@@ -143,8 +146,9 @@ private:
   }
 
   // Changes the multiplicities one by one as long as the price falls, beginning with coarser ones if these do not fit.
+  template <typename GoFurther>
   std::vector<int> improved(const Layout_quantization& quantization, const Layout_curves& curves, const Layout_helices& helices,
-                            std::vector<int> multiplicity) const
+                            std::vector<int> multiplicity, const GoFurther& go_further) const
   {
     std::vector<int> length = curves.lengths(multiplicity);
     auto is_possible = [&] { return fits(quantization, length) && quantization.number_of_quads(length) <= m_target_quads; };
@@ -164,7 +168,7 @@ private:
     for(int round = 0; is_better && round < largest_number_of_changes; ++round)
     {
       is_better = false;
-      for(int c = 0; c < curves.number_of_curves(); ++c)
+      for(int c = 0; c < curves.number_of_curves() && go_further(); ++c)
         for(int by : { 1, -1 })
         {
           if(!curves.allows(c, multiplicity[c] + by))

@@ -222,7 +222,7 @@ public:
     {
       before = m_quantization.length;
       m_scale *= scale_step;
-      m_quantization.shorten(m_scale);
+      m_quantization.shorten(m_scale, go_further);
       record();
       futile = m_quantization.length == before ? futile + 1 : 0;
     }
