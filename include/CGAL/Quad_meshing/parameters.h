@@ -58,6 +58,9 @@
 //   subproblem_selection            Subproblem_selection  order of the subproblems of branch-and-bound; BEST_BOUND
 //   branching_rule                  Branching_rule  variable that branch-and-bound splits; PSEUDO_COSTS
 //
+// Reading
+//   repair                          bool or Mesh_repairs  the repairs that read_triangle_mesh() may make; true: all
+//
 // Geodesic distances
 //   distance_limit                  double        distances beyond it need not be right; infinity
 //   target_vertices                 range, by std::cref  the computation ends when their distances are known; all
@@ -97,6 +100,7 @@
   CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \
   CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule)                        \
   CGAL_add_named_parameter(cross_field_method_t, cross_field_method, cross_field_method)            \
+  CGAL_add_named_parameter(repair_t, repair, repair)                                                \
   CGAL_add_named_parameter(distance_limit_t, distance_limit, distance_limit)                        \
   CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)                     \
   CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
