@@ -25,6 +25,7 @@
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_indices.h>
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>

@@ -91,6 +91,13 @@ namespace Quad_meshing {
  *       `std::optional<Vector_3>`, `boost::optional<Vector_3>` or a type like them as value type}
  *     \cgalParamDefault{no direction is given}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_direction_weight_map}
+ *     \cgalParamDescription{how much the directions count: the weight of the squared deviation, in radians, against the squared
+ *       differences across edges. With an infinite weight the direction is hard, with 0 or less it does not count. `GREEDY`, `DIRECT` and
+ *       `NAIVE` choose period jumps by the hard directions alone.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
+ *     \cgalParamDefault{all directions are hard}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_length}
  *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, inner vertices
  *       get three quads or more, where others can spare one, and opposite singularities closer to each other than half of it
@@ -160,7 +167,7 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
 
   constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
     internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
-    internal_np::target_edge_length_t, internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t,
+    internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t, internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t,
     internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
   constexpr bool has_edge_map =
@@ -213,7 +220,12 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   });
   problem.constrain_faces_to_aligned_edges();
   for(auto f : faces(tm))
-    internal::constrain_face(problem, static_cast<int>(get(fim, f)), get(direction, f));
+  {
+    double weight = (std::numeric_limits<double>::infinity)();
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_direction_weight_map_t>::value)
+      weight = to_double(get(get_parameter(np, internal_np::face_direction_weight_map), f));
+    internal::constrain_face(problem, static_cast<int>(get(fim, f)), get(direction, f), weight);
+  }
   problem.find_components();
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 

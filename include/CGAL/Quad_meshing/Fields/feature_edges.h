@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <vector>
 
@@ -52,6 +53,8 @@ Border edges are not marked; a crease that ends on the border does not end freel
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`
 
 \return the counts of what was marked and what was dropped
+
+\pre `is_triangle_mesh(tm)`
 */
 template <typename TriangleMesh, typename EdgeIsFeatureMap,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -59,6 +62,8 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
                                           double target_edge_length, EdgeIsFeatureMap is_feature,
                                           const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition(is_triangle_mesh(tm));
+
   const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
   std::vector<char> is_feature_edge;
   const Feature_edges_result result =

@@ -49,6 +49,11 @@ public:
   /// \pre `A` is symmetric and stored in full.
   CGAL_QUAD_MESHING_INLINE bool factorize(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer);
 
+  /// factorizes and computes \f$ S \f$ and \f$ c \f$, but no minimum; directions without energy keep none.
+  /// \return whether the energy is convex in the real variables.
+  /// \pre `A` is symmetric and stored in full.
+  CGAL_QUAD_MESHING_INLINE bool reduce(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer);
+
   /// factorizes and computes the energy over the integers.
   /// \return whether the energy is convex in the real variables and in all.
   /// \pre `A` is symmetric and stored in full.
@@ -67,6 +72,8 @@ public:
   const Eigen::MatrixXd& factor() const { return m_factor; }
   /// returns \f$ c \f$.
   const Eigen::VectorXd& linear_term() const { return m_c; }
+  /// returns the constant \f$ k \f$.
+  double constant() const { return m_constant; }
   /// returns \f$ y^* \f$, the minimum without integer conditions.
   const Eigen::VectorXd& target() const { return m_target; }
   /// returns the energy at the minimum without integer conditions.

@@ -15,10 +15,11 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Mixed_integer_solver.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
-#include <chrono>
 #include <type_traits>
 
 namespace CGAL {
@@ -116,7 +117,8 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{the number of seconds that the search for integers may take after the factorization.
+    \cgalParamDescription{the number of seconds, by the clock on the wall, after which the best solution so far is returned;
+                          `message` then says so. The first factorization and one rounding of all integers are made in any case.
                           Results that meet this limit depend on the machine.}
     \cgalParamType{`double`}
     \cgalParamDefault{unlimited}
@@ -192,20 +194,9 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                                   options.subproblem_selection);
   options.branching_rule = choose_parameter(get_parameter(np, internal_np::branching_rule),
                                             options.branching_rule);
-  options.go_further = [&visitor](double completed)
-  {
-    visitor.progress(completed);
-    return visitor.go_further();
-  };
 
-  const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-  visitor.on_stage_begin("mixed-integer solution");
-  const Sparse_cholesky<double> linear_solver = internal::make_linear_solver<Linear_solver>();
-  internal::Mixed_integer_solver solver(problem, options, linear_solver);
-  Mixed_integer_solution solution = solver.solve();
-  visitor.on_stage_end("mixed-integer solution");
-  solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return solution;
+  internal::Visitor_adaptor<std::remove_reference_t<Visitor_reference> > any_visitor(visitor);
+  return internal::solve_mixed_integer_kernel(problem, options, internal::make_linear_solver<Linear_solver>(), any_visitor);
 }
 
 } // namespace Quad_meshing

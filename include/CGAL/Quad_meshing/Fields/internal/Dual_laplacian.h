@@ -44,6 +44,8 @@ struct Sparse_vector
 // and the residuals by d pi/2 times the column e of P. With the Cholesky factor A = L L' the entries
 // are P_ef = [e = f] - <y_e, y_f>, y_e = L^-1 B'_e, and y_e is sparse: it lives on the paths of
 // two faces to the root of the elimination tree. So single entries of P cost microseconds.
+//
+// An angle that is given softly is an edge to a face that has it: a further row of B, whose jump does not change.
 class Dual_laplacian
 {
 public:
@@ -76,6 +78,10 @@ public:
       if(f != -1)
         entries.emplace_back(m_row[f], m_row[f], 1.);
 
+    for(std::size_t f = 0; f < problem.soft_weight.size(); ++f)
+      if(m_row[f] != -1 && problem.soft_weight[f] > 0)
+        entries.emplace_back(m_row[f], m_row[f], problem.soft_weight[f]);
+
     const auto data = std::make_shared<Factorization>();
     data->matrix.resize(n, n);
     data->matrix.setFromTriplets(entries.begin(), entries.end());
@@ -97,11 +103,15 @@ public:
   bool is_valid() const { return m_factor != nullptr; }
   int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
 
-  // Sets the angles of all faces to the best ones for the period jumps of the field.
+  // Sets the angles of all faces to the best ones for the period jumps of the field. Of the directions that are given softly, each
+  // face keeps the one that it has been nearest to.
   void solve_angles(Cross_field& field) const
   {
     const int n = number_of_unknowns();
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n);
+    for(std::size_t f = 0; f < m_problem.soft_weight.size(); ++f)
+      if(m_row[f] != -1 && m_problem.soft_weight[f] > 0)
+        rhs[m_row[f]] = m_problem.soft_weight[f] * m_problem.nearest_soft_angle(static_cast<int>(f), field.angle[f]);
     for(std::size_t f = 0; f < m_row.size(); ++f)
       field.angle[f] = m_row[f] == -1 ? m_problem.given_angle[f] : 0.;
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)

@@ -87,7 +87,7 @@ private:
     const bool polished = m_options.method == Cross_field_method::POLISHED, is_for_quads = m_options.target_edge_length > 0;
     m_progress.begin_part(start_end);
     std::unique_ptr<Jump_annealing> anneal;
-    if(polished && !is_for_quads)
+    if(polished && !is_for_quads && m_problem.soft_weight.empty())
     {
       anneal.reset(new Jump_annealing(m_problem, m_laplacian));
       if(!anneal->is_affordable())

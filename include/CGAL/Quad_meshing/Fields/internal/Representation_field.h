@@ -165,6 +165,12 @@ private:
       else
         given[j] += weight * std::conj(v) * w * std::polar(1., 4 * m_problem.given_angle[f]);
     }
+    for(std::size_t f = 0; f < m_problem.soft_weight.size(); ++f)
+      if(m_cluster[f] != -1 && m_problem.soft_weight[f] > 0)
+      {
+        entries.emplace_back(m_cluster[f], m_cluster[f], m_problem.soft_weight[f]);
+        given[m_cluster[f]] += m_problem.soft_weight[f] * std::conj(m_phase[f]) * std::polar(1., 4 * m_problem.soft_angle[f]);
+      }
     Eigen::SparseMatrix<Complex> a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
     Sparse_cholesky<Complex> cholesky;
@@ -222,6 +228,11 @@ private:
           continue;
         Complex sum = 0.;
         double degree = 0;
+        if(!m_problem.soft_weight.empty() && m_problem.soft_weight[f] > 0)
+        {
+          degree = m_problem.soft_weight[f];
+          sum = degree * std::polar(1., 4 * m_problem.soft_angle[f]);
+        }
         for(int h = 3 * f; h < 3 * f + 3; ++h)
         {
           if(m_mesh.opposite[h] == -1)

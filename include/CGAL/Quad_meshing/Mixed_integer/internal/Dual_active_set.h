@@ -64,7 +64,7 @@ public:
 
 private:
   // Violations below this, relative to the size of the numbers compared, are round-off.
-  static constexpr double tolerance = 1e-9;
+  static constexpr double tolerance = 1e-10;
 
   static int most_violated(const std::vector<Constraint>& constraints, const std::vector<char>& is_active,
                            const Eigen::VectorXd& y)
@@ -75,9 +75,9 @@ private:
     {
       if(is_active[i])
         continue;
-      const double norm = constraints[i].a.norm();
+      const double largest = constraints[i].a.cwiseProduct(y).lpNorm<Eigen::Infinity>();
       const double slack = (constraints[i].a.dot(y) - constraints[i].b)
-                           / (std::max)({ 1., std::fabs(constraints[i].b), norm });
+                           / (std::max)({ 1., std::fabs(constraints[i].b), largest });
       if(slack < least)
       {
         least = slack;

@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 
-#include <functional>
 #include <limits>
 
 namespace CGAL {
@@ -34,8 +33,6 @@ struct Solver_options
   double relative_gap_tolerance = 1e-9;
   Subproblem_selection subproblem_selection = Subproblem_selection::BEST_BOUND;
   Branching_rule branching_rule = Branching_rule::PSEUDO_COSTS;
-  // Reports progress in [0,1]; false asks to stop.
-  std::function<bool(double)> go_further = [](double) { return true; };
 };
 
 } // namespace internal
