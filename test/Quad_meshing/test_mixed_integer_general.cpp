@@ -162,9 +162,9 @@ Exact_answer brute_force(const Problem& problem, int reach)
 {
   const Exact_answer relaxed = solve_exactly(problem, nullptr);
   Exact_answer best;
+  best.energy = std::numeric_limits<double>::infinity();
   if(!relaxed.is_feasible)
     return best;
-  best.energy = std::numeric_limits<double>::infinity();
   std::vector<int> point(problem.number_of_integers(), -reach);
   for(;;)
   {
@@ -392,7 +392,7 @@ Problem random_problem(CGAL::Random& random, bool is_linear)
   for(int i = 0; i < n; ++i)
   {
     const int kind = random.get_int(0, 8);
-    const double low = is_binary && i < integers ? 0. : random.get_int(-9, 2) / 3., high = is_binary && i < integers ? 1. : low + random.get_int(0, 12) / 4.;
+    const double low = is_binary && i < integers ? 0. : random.get_int(-9, 2) / 4., high = is_binary && i < integers ? 1. : low + random.get_int(0, 12) / 4.;
     if(kind < 5 || is_binary)
       problem.set_bounds(i, low, high);
     else if(kind == 5)

@@ -151,7 +151,6 @@ std::vector<Long_work> long_works()
   };
   std::vector<Long_work> works;
   works.push_back({ "lattice", coupled_integers(150, 0.), with(Method::LATTICE), true });
-  works.push_back({ "lattice in blocks", coupled_integers(440, 0.), with(Method::LATTICE), true });
   works.push_back({ "branch-and-bound", coupled_integers(60, 0.), with(Method::BRANCH_AND_BOUND), true });
   works.push_back({ "branch-and-bound with bounds", coupled_integers(60, 3.), with(Method::BRANCH_AND_BOUND), false });
   works.push_back({ "branch-and-cut", coupled_integers(25, 0.), with(Method::BRANCH_AND_CUT), true });
@@ -263,6 +262,60 @@ void relative_gap_tolerance()
   }
 }
 
+// The order of elimination changes the matrix that is left, and nothing else: a chain of equations whose order makes all variables
+// depend on the last one, and does not with the short ones first.
+void elimination_order()
+{
+  const int n = 60;
+  Problem problem(n);
+  for(int i = 0; i < n; ++i)
+  {
+    problem.set_integer(i, i % 3 == 0);
+    problem.add_squared_residual({ { i, 1. }, { (i * 7 + 1) % n, -0.5 } }, 0.3 * (i % 5));
+  }
+  Problem::Linear_form all;
+  for(int i = 0; i < n; ++i)
+    all.emplace_back(i, 1.);
+  problem.add_equality_constraint(all, 2.);
+  for(int i = 1; i + 3 < n; i += 3)
+    problem.add_equality_constraint({ { i, 1. }, { i + 1, -1. } }, 0.25);
+  const Solution best = QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE));
+  const Solution given = QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE)
+                                                            .elimination_order(QM::Elimination_order::AS_GIVEN));
+  std::cout << "  entries " << best.matrix_entries << " and " << given.matrix_entries << std::endl;
+  assert(best.status == Status::OPTIMAL && given.status == Status::OPTIMAL);
+  assert(std::fabs(best.energy - given.energy) < 1e-9 * (1. + std::fabs(best.energy)));
+  assert(best.matrix_entries > 0. && best.matrix_entries < given.matrix_entries);
+}
+
+// Without new factorizations there are two: the first and the last one.
+void allow_refactorization()
+{
+  const Problem problem = local_integers(20);
+  const auto levels = params::rounding_method(Method::GREEDY).maximum_dense_integers(0).gauss_seidel_iterations(10)
+                        .conjugate_gradient_iterations(1);
+  const Solution with = QM::solve_mixed_integer(problem, levels);
+  const Solution without = QM::solve_mixed_integer(problem, levels.allow_refactorization(false));
+  std::cout << "  " << with.factorizations << " and " << without.factorizations << " factorizations, energies " << with.energy << " and "
+            << without.energy << std::endl;
+  assert(with.is_valid() && with.factorizations > 2 && with.factorization_roundings > 0);
+  assert(without.is_valid() && without.factorizations == 2 && without.factorization_roundings == 0);
+  const Solution direct = QM::solve_mixed_integer(problem, params::rounding_method(Method::DIRECT));
+  assert(without.energy < direct.energy);
+}
+
+// Naive rounding takes over where it costs less than dense updates, with the same result.
+void choice_of_greedy()
+{
+  const Problem many = local_integers(28), few = coupled_integers(250, 0.);
+  const Solution local = QM::solve_mixed_integer(many, params::rounding_method(Method::GREEDY));
+  assert(local.dense_roundings == 0 && local.factorization_roundings == many.number_of_integers());
+  const Solution naive = QM::solve_mixed_integer(many, params::rounding_method(Method::NAIVE));
+  assert(local.energy == naive.energy);
+  const Solution dense = QM::solve_mixed_integer(few, params::rounding_method(Method::GREEDY));
+  assert(dense.dense_roundings == 250);
+}
+
 int main(int argc, char** argv)
 {
   return run_cases(argc, argv, {
@@ -271,5 +324,8 @@ int main(int argc, char** argv)
     { "running_time", running_time },
     { "constraint_tolerance", constraint_tolerance },
     { "relative_gap_tolerance", relative_gap_tolerance },
+    { "elimination_order", elimination_order },
+    { "allow_refactorization", allow_refactorization },
+    { "choice_of_greedy", choice_of_greedy },
   });
 }

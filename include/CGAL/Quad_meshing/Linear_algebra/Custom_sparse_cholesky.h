@@ -36,6 +36,8 @@ public:
     return true;
   }
 
+  double number_of_entries() const override { return 0.; }
+
   bool factorize(const View& A) override
   {
     m_matrix = std::make_unique<typename SolverTraits::Matrix>(m_size, m_size);

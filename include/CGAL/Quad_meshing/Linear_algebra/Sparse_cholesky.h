@@ -54,6 +54,8 @@ public:
   virtual std::unique_ptr<Sparse_cholesky_implementation> make_another() const = 0;
   /// learns the pattern of a matrix, and returns whether that was possible.
   virtual bool analyze(const View& A) = 0;
+  /// returns the number of entries that the factor will have by the pattern last analyzed, 0 if that is not known.
+  virtual double number_of_entries() const = 0;
   /// factorizes a matrix that is not empty and has the pattern last analyzed. Returns whether it is positive definite.
   virtual bool factorize(const View& A) = 0;
   /// solves for each column of a dense matrix, stored column by column, and writes the solutions there.
@@ -112,6 +114,9 @@ public:
   }
   template <typename EigenSparseMatrix>
   void analyze(const EigenSparseMatrix& A) { call_with_view(A, [this](const View& view) { analyze(view); }); }
+
+  /// returns the number of entries that the factor will have by the pattern last analyzed, 0 if a custom implementation does not tell.
+  double number_of_entries() const { return m_is_analyzed && m_size > 0 ? m_implementation->number_of_entries() : 0.; }
 
   /// computes the factor of `A`, which must have the pattern last analyzed; analyzes first if nothing was.
   /// \return `is_ok()`

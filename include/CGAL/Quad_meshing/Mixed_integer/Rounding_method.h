@@ -70,6 +70,16 @@ enum class Branching_rule
 
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
+\brief The order in which equality constraints are eliminated.
+*/
+enum class Elimination_order
+{
+  FEWEST_COEFFICIENTS, ///< the one with the fewest coefficients left first: the matrix stays sparse [Bom12, 5.3]
+  AS_GIVEN             ///< in the order of the problem, for comparison
+};
+
+/*!
+\ingroup PkgQuadMeshingMixedIntegerRef
 \brief returns the name of a method as programs spell it, for instance `"branch-and-bound"`.
 */
 inline const char* rounding_method_name(Rounding_method method)

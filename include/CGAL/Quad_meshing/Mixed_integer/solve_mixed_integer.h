@@ -65,6 +65,12 @@ exception is thrown and nothing is printed.
     \cgalParamType{`Sparse_cholesky<double>` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
     \cgalParamDefault{`Sparse_cholesky<double>`}
   \cgalParamNEnd
+  \cgalParamNBegin{elimination_order}
+    \cgalParamDescription{the order in which equality constraints are eliminated; `Mixed_integer_solution::matrix_entries` tells what it
+                          does to the matrix}
+    \cgalParamType{`Elimination_order`}
+    \cgalParamDefault{`Elimination_order::FEWEST_COEFFICIENTS`}
+  \cgalParamNEnd
   \cgalParamNBegin{constraint_tolerance}
     \cgalParamDescription{An equality constraint depends on others if, with them, its coefficients cancel up
                           to this fraction of the largest, and contradicts them if its right-hand
@@ -96,6 +102,12 @@ exception is thrown and nothing is printed.
                           0 switches the level off}
     \cgalParamType{`int`}
     \cgalParamDefault{`10`}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_refactorization}
+    \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels do not suffice, and
+                          after a tenth of all roundings. Without, it goes on with what these steps have reached.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{simultaneous_rounding}
     \cgalParamDescription{whether greedy rounding rounds several integers at once as long as their deviations
@@ -170,6 +182,7 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
   options.method = choose_parameter(get_parameter(np, internal_np::rounding_method),
                                     problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND
                                                                : Rounding_method::GREEDY);
+  options.elimination_order = choose_parameter(get_parameter(np, internal_np::elimination_order), options.elimination_order);
   options.constraint_tolerance = choose_parameter(get_parameter(np, internal_np::constraint_tolerance),
                                                   options.constraint_tolerance);
   options.rounding_tolerance = choose_parameter(get_parameter(np, internal_np::rounding_tolerance),
@@ -178,6 +191,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                                      options.gauss_seidel_iterations);
   options.conjugate_gradient_iterations = choose_parameter(
     get_parameter(np, internal_np::conjugate_gradient_iterations), options.conjugate_gradient_iterations);
+  options.allow_refactorization = choose_parameter(get_parameter(np, internal_np::allow_refactorization),
+                                                   options.allow_refactorization);
   options.simultaneous_rounding = choose_parameter(get_parameter(np, internal_np::simultaneous_rounding),
                                                    options.simultaneous_rounding);
   options.maximum_dense_integers = choose_parameter(get_parameter(np, internal_np::maximum_dense_integers),

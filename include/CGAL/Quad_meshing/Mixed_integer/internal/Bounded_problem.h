@@ -57,6 +57,38 @@ struct Bounded_problem
   bool has_lower(int i) const { return lower[i] > -std::numeric_limits<double>::infinity(); }
   bool has_upper(int i) const { return upper[i] < std::numeric_limits<double>::infinity(); }
 
+  // The problem where all variables but some are zero.
+  Bounded_problem restricted(const std::vector<int>& variables) const
+  {
+    Bounded_problem result;
+    std::vector<int> position(size(), -1);
+    const int n = static_cast<int>(variables.size());
+    result.lower.resize(n);
+    result.upper.resize(n);
+    result.G.resize(G.rows(), n);
+    result.h = h;
+    for(int i = 0; i < n; ++i)
+    {
+      const int v = variables[i];
+      position[v] = i;
+      result.kept.push_back(kept[v]);
+      result.is_integer.push_back(is_integer[v]);
+      result.lower[i] = lower[v];
+      result.upper[i] = upper[v];
+      result.exact_lower.push_back(exact_lower[v]);
+      result.exact_upper.push_back(exact_upper[v]);
+      result.G.col(i) = G.col(v);
+    }
+    for(const Row& row : rows)
+    {
+      result.rows.push_back(Row{ {}, row.rhs, row.is_integral });
+      for(const std::pair<int, Rational>& a : row.form)
+        if(position[a.first] >= 0)
+          result.rows.back().form.emplace_back(position[a.first], a.second);
+    }
+    return result;
+  }
+
   // Whether a constraint has a real variable or coefficient.
   bool has_real_rows() const
   {

@@ -40,6 +40,7 @@ struct Search_result
   Eigen::VectorXd y;
   double energy = std::numeric_limits<double>::infinity();
   double lower_bound = -std::numeric_limits<double>::infinity();
+  double bound_in_box = -std::numeric_limits<double>::infinity(); // like the lower bound, even where it rests on the box
   double nodes = 0.;
   int cuts = 0;
 

@@ -122,6 +122,7 @@ private:
     const double open = m_bounds.empty() ? infinity : *m_bounds.begin();
     m_result.lower_bound = m_is_stopped && m_bounds.empty() ? -infinity
                                                             : (std::min)({ open, m_fathomed_bound, m_result.energy });
+    m_result.bound_in_box = m_result.lower_bound;
     if(m_result.rests_on_box || m_result.is_uncertain)
       m_result.lower_bound = -infinity;
     return m_result;
@@ -388,7 +389,7 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
     const Search_result linear = search.run(program);
     result.nodes += linear.nodes;
     result.cuts += linear.cuts;
-    result.rests_on_box = result.rests_on_box || linear.rests_on_box;
+    result.rests_on_box = linear.rests_on_box; // earlier bounds are not used
     result.is_uncertain = result.is_uncertain || linear.is_uncertain;
     if(!linear.is_found)
     {
@@ -408,7 +409,7 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
     }
     if(!linear.is_complete || !go_further())
       return result;
-    if(result.is_found && result.energy - linear.lower_bound
+    if(result.is_found && result.energy - (std::max)(result.lower_bound, linear.bound_in_box)
          <= (std::max)(options.relative_gap_tolerance * std::fabs(result.energy),
                        tolerance * (1. + std::fabs(result.energy))))
     {

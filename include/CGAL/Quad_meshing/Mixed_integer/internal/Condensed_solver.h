@@ -87,7 +87,10 @@ public:
       m_solver->add_to_rhs(leaf.neighbor[k], leaf.coefficient[k] * shift);
   }
 
-  Level update(int& factorizations) { return m_solver->update(factorizations); }
+  Level update(int& factorizations, bool allow_factorization)
+  {
+    return m_solver->update(factorizations, allow_factorization);
+  }
   bool factorize(int& factorizations) { return m_solver->factorize(factorizations); }
 
   // Calls `visit(i)` for the integers that may have changed since the last call, some of them more than once.

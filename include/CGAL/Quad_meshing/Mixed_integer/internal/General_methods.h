@@ -141,11 +141,12 @@ private:
     const Flat_directions directions(Eigen::MatrixXd::Zero(m_bounded.size(), m_bounded.size()));
     if(is_unbounded || has_unbounded_ray(m_bounded, -c, directions))
       return look_for_any_point();
-    fix_idle_integers(m_bounded, c, directions);
+    remove_idle_integers(c, directions);
+    const Eigen::VectorXd active_c = subvector(c, m_active);
 
     const Search_result result = run_in_boxes([&](const Rational& box)
     {
-      const Linear_master master(m_bounded, c, m_reduced.constant, box);
+      const Linear_master master(m_bounded, active_c, m_reduced.constant, box);
       Exact_dual_simplex relaxation = master.make_program();
       if(relaxation.solve(m_go_further) && !relaxation.rests_on_artificial_bounds())
         m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
@@ -199,21 +200,50 @@ private:
     if(has_slope_in_reals() ||
        (quadratic.has_slope() && has_unbounded_ray(m_bounded, quadratic.linear_term(), directions)))
       return look_for_any_point();
-    fix_idle_integers(m_bounded, quadratic.linear_term(), directions);
+    const int size = m_bounded.size();
+    remove_idle_integers(quadratic.linear_term(), directions);
 
     Outcome outcome;
     if(m_bounded.size() == 0)
     {
       outcome.is_found = true;
-      outcome.z = m_schur.complete(Eigen::VectorXd(0));
+      outcome.z = m_schur.complete(Eigen::VectorXd::Zero(size));
       m_solution.relaxed_energy = m_solution.lower_bound = m_reduced.energy(outcome.z);
       return outcome;
     }
-    const Search_result result = search(quadratic);
+    Search_result result;
+    if(m_bounded.size() == size)
+      result = search(quadratic);
+    else
+    {
+      Eigen::MatrixXd S(m_active.size(), m_active.size());
+      for(std::size_t i = 0; i < m_active.size(); ++i)
+        for(std::size_t j = 0; j < m_active.size(); ++j)
+          S(i, j) = quadratic.matrix()(m_active[i], m_active[j]);
+      Convex_quadratic active(S, subvector(quadratic.linear_term(), m_active), quadratic.constant());
+      result = search(active);
+    }
     outcome = outcome_of(result);
     if(outcome.is_found)
-      outcome.z = m_schur.complete(result.y);
+    {
+      Eigen::VectorXd y = Eigen::VectorXd::Zero(size);
+      for(std::size_t i = 0; i < m_active.size(); ++i)
+        y[m_active[i]] = result.y[i];
+      outcome.z = m_schur.complete(y);
+    }
     return outcome;
+  }
+
+  // Sets the integers that need not move to zero; the others are `m_active`.
+  void remove_idle_integers(const Eigen::VectorXd& c, const Flat_directions& directions)
+  {
+    const std::vector<char> is_idle = idle_integers(m_bounded, c, directions);
+    m_active.clear();
+    for(int i = 0; i < m_bounded.size(); ++i)
+      if(!is_idle[i])
+        m_active.push_back(i);
+    if(static_cast<int>(m_active.size()) < m_bounded.size())
+      m_bounded = m_bounded.restricted(m_active);
   }
 
   // Whether the energy falls along a flat direction of the variables that do not matter to the search: the shift that made their
@@ -288,6 +318,7 @@ private:
   Mixed_integer_solution& m_solution;
   const std::function<bool()> m_go_further;
   Bounded_problem m_bounded;
+  std::vector<int> m_active; // of the variables that the bounded problem had first, those that it still has
   Integer_energy m_schur;
 };
 

@@ -57,11 +57,12 @@ public:
       return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
 
-    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance,
+    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance, m_options.elimination_order,
                                           m_options.method >= Rounding_method::BRANCH_AND_BOUND);
     m_solution.redundant_constraints = m_constraints.redundant;
     m_solution.conflicting_constraints = m_constraints.conflicting;
     m_reduced = reduce(m_A, m_b, m_problem.constant(), m_constraints);
+    m_solution.matrix_entries = static_cast<double>(m_reduced.A.nonZeros());
     m_solution.free_variables = m_reduced.size();
     m_solution.free_integers = static_cast<int>(m_reduced.integers.size());
 
@@ -126,8 +127,34 @@ private:
     return static_cast<int>(m_reduced.integers.size()) <= m_options.maximum_dense_integers;
   }
 
+  // Whether naive rounding, which gives the same result as dense updates, is expected to take less time than these.
+  bool is_naive_cheaper() const
+  {
+    const double few_integers = 200.; // dense updates of so many take milliseconds
+    // Operations per second of dense and of sparse code, their ratio is what counts: measured with fields and maps.
+    const double dense_speed = 3., sparse_speed = 1.;
+    const double columns_at_once = 64.; // of `Three_level_solver::fix_exactly()`, half of them on average
+    const double m = static_cast<double>(m_reduced.integers.size()), n = m_reduced.size();
+    if(m <= few_integers)
+      return false;
+    Sparse_cholesky<double> symbolic = m_linear_solver.make_another();
+    symbolic.analyze(m_reduced.A);
+    const double entries = symbolic.number_of_entries();
+    if(entries == 0.)
+      return false;
+    // The complement over the integers, its factor and inverse, and the updates; against solutions and products with columns.
+    const double dense = m * m * (n - m) + 3. * m * m * m;
+    const double naive = m * (4. * entries + columns_at_once * n) + m / columns_at_once * entries * entries / n;
+    return naive / sparse_speed < dense / dense_speed;
+  }
+
   void run_greedy()
   {
+    if(has_few_integers() && is_naive_cheaper())
+    {
+      m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits);
+      return;
+    }
     if(!has_few_integers())
     {
       m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options, m_limits);

@@ -136,13 +136,13 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
     since_refresh += batch;
 
     Solver::Level level;
-    if(since_refresh >= refresh_interval && rounded < m)
+    if(options.allow_refactorization && since_refresh >= refresh_interval && rounded < m)
     {
       level = solver.factorize(solution.factorizations) ? Levels::FACTORIZATION : Levels::FAILED;
       since_refresh = 0;
     }
     else
-      level = solver.update(solution.factorizations);
+      level = solver.update(solution.factorizations, options.allow_refactorization);
     switch(level)
     {
       case Levels::GAUSS_SEIDEL: ++solution.gauss_seidel_roundings; break;

@@ -124,14 +124,14 @@ public:
     return true;
   }
 
-  // Returns the level that converged.
-  Level update(int& factorizations)
+  // Returns the level that converged, or did last if there may be no factorization.
+  Level update(int& factorizations, bool allow_factorization)
   {
     if(gauss_seidel())
       return GAUSS_SEIDEL;
     clear_queue();
     mark_all_changed();
-    if(conjugate_gradient())
+    if(conjugate_gradient() || !allow_factorization)
       return CONJUGATE_GRADIENT;
     return factorize(factorizations) ? FACTORIZATION : FAILED;
   }

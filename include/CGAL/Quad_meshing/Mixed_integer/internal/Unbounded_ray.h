@@ -144,12 +144,14 @@ inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::Vecto
   return program.solve([] { return true; }) && CGAL::is_negative(program.objective());
 }
 
-// Sets integers to zero that constraints, bounds and energy leave open: those that can be changed by one together with others, along a flat
-// direction without a slope, at no cost. A search would run along such directions for ever.
-inline void fix_idle_integers(Bounded_problem& problem, const Eigen::VectorXd& c, const Flat_directions& directions)
+// Integers that constraints, bounds and energy leave open: those that can be changed by one together with others, along a flat direction
+// without a slope, at no cost. They may as well be zero, all of them; a search would run along such directions for ever.
+inline std::vector<char> idle_integers(const Bounded_problem& problem, const Eigen::VectorXd& c,
+                                       const Flat_directions& directions)
 {
   typedef CGAL::Exact_rational Rational;
   const double round_off = 1e-9;
+  std::vector<char> result(problem.size(), 0);
   for(int d = 0; d < directions.size(); ++d)
   {
     const std::vector<Rational>& r = directions[d];
@@ -171,13 +173,9 @@ inline void fix_idle_integers(Bounded_problem& problem, const Eigen::VectorXd& c
         sum += a.second * r[a.first];
       is_idle = is_idle && CGAL::is_zero(sum);
     }
-    if(is_idle)
-    {
-      const int i = directions.free_coordinate(d);
-      problem.lower[i] = problem.upper[i] = 0.;
-      problem.exact_lower[i] = problem.exact_upper[i] = Rational(0);
-    }
+    result[directions.free_coordinate(d)] = is_idle;
   }
+  return result;
 }
 
 } // namespace internal
