@@ -193,7 +193,8 @@ void other_solvers()
       feasible += is_feasible;
       for(Method method : { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT, Method::CUTTING_PLANES })
       {
-        const Solution s = QM::solve_mixed_integer(again, params::rounding_method(method).maximum_number_of_nodes(20000));
+        const Solution s = QM::solve_mixed_integer(again, params::rounding_method(method).maximum_running_time(20.)
+                                                            .maximum_number_of_nodes(method == Method::CUTTING_PLANES ? 200 : 20000));
         if(s.status == Status::LIMIT_REACHED || s.status == Status::FEASIBLE)
         {
           assert(method == Method::CUTTING_PLANES); // which need not end with real variables

@@ -174,8 +174,8 @@ private:
     const int column = place.first->second;
     for(std::size_t k = 1; k < words.size(); k += 2)
     {
-      int row;
-      double value;
+      int row = 0;
+      double value = 0.;
       if(!find_row(words[k], row) || !number(words[k + 1], value))
         return false;
       if(row >= 0)
@@ -191,8 +191,8 @@ private:
     // The name of the set may be missing.
     for(std::size_t k = words.size() % 2; k + 1 < words.size(); k += 2)
     {
-      int row;
-      double value;
+      int row = 0;
+      double value = 0.;
       if(!find_row(words[k], row) || !number(words[k + 1], value))
         return false;
       if(row == -1)
@@ -213,7 +213,7 @@ private:
     const std::string& kind = words[0];
     const bool has_value = kind == "UP" || kind == "LO" || kind == "FX" || kind == "UI" || kind == "LI";
     const std::size_t with_set = has_value ? 4 : 3, place = words.size() >= with_set ? 2 : 1;
-    int index;
+    int index = 0;
     if(words.size() < with_set - 1 || !find_column(words[place], index))
       return false;
     Column& column = m_columns[index];
@@ -256,8 +256,8 @@ private:
 
   bool add_product(const Words& words, bool is_triangle)
   {
-    int i, j;
-    double value;
+    int i = 0, j = 0;
+    double value = 0.;
     if(!find_column(words[0], i) || !find_column(words[1], j) || !number(words[2], value))
       return false;
     m_products.emplace_back(i, j, value);

@@ -228,7 +228,10 @@ private:
     node->depth = parent.depth + 1;
     node->variable = branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
     if(node->variable >= 0)
+    {
       node->split = std::floor(node->y[node->variable]);
+      try_rounding(node->y);
+    }
     else if(!fathom(*node))
       return node->energy;
     if(gap_closed(node->energy))
@@ -262,6 +265,20 @@ private:
   {
     m_bounds.erase(m_bounds.find(std::get<2>(*it)->energy));
     m_queue.erase(it);
+  }
+
+  // A node may be close to a feasible point: without one, a search that is stopped has nothing to show.
+  void try_rounding(Eigen::VectorXd y)
+  {
+    const long interval = 64; // once there is a point, so few of the nodes are rounded
+    if(m_result.is_found && static_cast<long>(m_result.nodes) % interval != 1)
+      return;
+    for(int i = 0; i < m_problem.size(); ++i)
+      if(m_problem.is_integer[i])
+        y[i] = std::floor(y[i] + 0.5);
+    const Convex_quadratic::Minimum minimum = complete_reals(m_problem, m_quadratic, y);
+    if(minimum.is_feasible && m_problem.is_met_by(minimum.y))
+      m_result.accept(minimum.y, m_quadratic.energy(minimum.y));
   }
 
   // All integers of a node are integers up to round-off: makes them so and solves for the rest once more. Returns whether the node may hold

@@ -249,7 +249,14 @@ private:
         return node->bound;
       node->variable = variable_of(minimum.y, integer_tolerance);
       if(node->variable >= 0)
+      {
         node->split = Rational(std::floor(minimum.y[node->variable]));
+        // Without a feasible point a search that is stopped has nothing to show.
+        Eigen::VectorXd rounded;
+        double energy;
+        if(!m_result.is_found && m_master.polish(minimum.y, rounded, energy))
+          m_result.accept(rounded, energy);
+      }
       else if(!fathom_quadratic(*node, minimum.y) || is_pruned(node->bound))
         return node->bound;
       if(m_cut_rounds > 0)

@@ -138,7 +138,8 @@ private:
       is_kept[v] = 1;
     for(int v = 0; v < m_reduced.size(); ++v)
       is_unbounded = is_unbounded || (!is_kept[v] && m_reduced.b[v] != 0.);
-    const Flat_directions directions(Eigen::MatrixXd::Zero(m_bounded.size(), m_bounded.size()));
+    const int size = m_bounded.size();
+    const Flat_directions directions(Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Ones(size));
     if(is_unbounded || has_unbounded_ray(m_bounded, -c, directions))
       return look_for_any_point();
     remove_idle_integers(c, directions);
@@ -192,11 +193,16 @@ private:
       is_kept[v] = true;
     const bool is_reduced = m_schur.reduce(m_reduced.A, m_reduced.b, is_kept);
     m_solution.factorizations += m_schur.number_of_factorizations();
-    Convex_quadratic quadratic(m_schur.matrix(), m_schur.linear_term(), m_reduced.constant + m_schur.constant());
-    if(!is_reduced || !quadratic.is_convex())
+    const Eigen::VectorXd reference = subvector(m_reduced.A.diagonal(), m_bounded.kept);
+    if(!is_reduced)
       return failure(Mixed_integer_status::NUMERICAL_FAILURE,
                      "A factorization failed: the energy is not convex where the constraints hold.");
-    const Flat_directions directions(quadratic.is_definite() ? Eigen::MatrixXd() : quadratic.matrix());
+    Convex_quadratic quadratic(m_schur.matrix(), m_schur.linear_term(), m_reduced.constant + m_schur.constant(), reference);
+    if(!quadratic.is_convex())
+      return failure(Mixed_integer_status::NUMERICAL_FAILURE,
+                     "A factorization failed: the energy is not convex where the constraints hold.");
+    const Flat_directions directions(quadratic.is_definite() ? Eigen::MatrixXd() : quadratic.matrix(),
+                                     Convex_quadratic::scale_of(quadratic.matrix(), reference));
     if(has_slope_in_reals() ||
        (quadratic.has_slope() && has_unbounded_ray(m_bounded, quadratic.linear_term(), directions)))
       return look_for_any_point();
@@ -220,7 +226,8 @@ private:
       for(std::size_t i = 0; i < m_active.size(); ++i)
         for(std::size_t j = 0; j < m_active.size(); ++j)
           S(i, j) = quadratic.matrix()(m_active[i], m_active[j]);
-      Convex_quadratic active(S, subvector(quadratic.linear_term(), m_active), quadratic.constant());
+      Convex_quadratic active(S, subvector(quadratic.linear_term(), m_active), quadratic.constant(),
+                              subvector(reference, m_active));
       result = search(active);
     }
     outcome = outcome_of(result);

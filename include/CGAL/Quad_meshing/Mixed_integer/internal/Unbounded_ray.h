@@ -30,14 +30,11 @@ class Flat_directions
 public:
   typedef CGAL::Exact_rational Rational;
 
-  explicit Flat_directions(const Eigen::MatrixXd& S)
+  // `scale` is the root of the diagonal, and of what it was before it became round-off.
+  Flat_directions(const Eigen::MatrixXd& S, const Eigen::VectorXd& scale)
   {
     const int n = static_cast<int>(S.rows());
     const double flat = 1e-11; // pivots, relative to the diagonal
-    const double largest = n > 0 ? S.diagonal().cwiseAbs().maxCoeff() : 0.;
-    Eigen::VectorXd scale(n);
-    for(int i = 0; i < n; ++i)
-      scale[i] = S(i, i) > flat * 1e-2 * largest ? std::sqrt(S(i, i)) : (largest > 0. ? std::sqrt(largest) : 1.);
     // Gauss-Jordan elimination with the largest pivots: [I F; 0 0].
     Eigen::MatrixXd C = scale.cwiseInverse().asDiagonal() * S * scale.cwiseInverse().asDiagonal();
     std::vector<char> is_pivot(n, 0);
