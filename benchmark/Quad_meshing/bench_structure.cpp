@@ -17,7 +17,11 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 
@@ -91,7 +95,7 @@ SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
   CGAL::Random random(seed);
   for(int i = 0; i < operators; ++i)
   {
-    const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+    const QM::internal::Quad_vertex_rules rules = QM::internal::make_quad_vertex_rules(m, false);
     QM::internal::Gp_search search(m, rules);
     const QM::internal::Gp_path path = search.close({ 3 * random.get_int(0, m.number_of_halfedges()) });
     if(path.empty())
@@ -147,7 +151,7 @@ bool random_operators(int wanted, unsigned int seed)
     const int end = static_cast<int>(wanted * (k + 1) / soups.size());
     while(done < end)
     {
-      const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+      const QM::internal::Quad_vertex_rules rules = QM::internal::make_quad_vertex_rules(m, false);
       QM::internal::Gp_search search(m, rules);
       QM::internal::Gp_path path;
       for(int attempt = 0; attempt < 10 && path.empty(); ++attempt)

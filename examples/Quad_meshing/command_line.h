@@ -51,6 +51,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -86,6 +87,22 @@ inline std::string one_line(std::string text)
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::replace(text.begin(), text.end(), '\r', ' ');
   return text;
+}
+
+// A number with the word for what is counted.
+inline std::string count_of(std::size_t n, const std::string& singular, const std::string& plural)
+{
+  return std::to_string(n) + " " + (n == 1 ? singular : plural);
+}
+
+// The version of the package, which the build knows.
+inline const char* package_version()
+{
+#ifdef CGAL_QUAD_MESHING_VERSION
+  return CGAL_QUAD_MESHING_VERSION;
+#else
+  return "of unknown version";
+#endif
 }
 
 // Runs the body of a program and returns its exit code.
@@ -133,10 +150,10 @@ public:
             const po::options_description& options)
     : m_program(std::move(program)), m_purpose(std::move(purpose)), m_names(std::move(names)), m_options(options)
   {
-    m_options.add_options()("help,h", "show this text");
+    m_options.add_options()("help,h", "show this text")("version", "show the version of the package");
   }
 
-  // Returns false if the user asked for help, which was given.
+  // Returns false if the user asked for help or for the version, which was given.
   bool parse(int argc, const char* const* argv)
   {
     po::options_description hidden;
@@ -154,6 +171,11 @@ public:
     if(m_values.count("help"))
     {
       print_help(std::cout);
+      return false;
+    }
+    if(m_values.count("version"))
+    {
+      std::cout << m_program << " " << package_version() << "\n";
       return false;
     }
     po::notify(m_values);
@@ -205,6 +227,30 @@ public:
     return x;
   }
 
+  // The same for a whole number in [low, high], which its option must have as `long long`: Boost takes -1 for a large
+  // number where an unsigned one is expected.
+  long long whole_number(const std::string& option, long long low, long long high) const
+  {
+    const long long n = value<long long>(option);
+    if(n < low || n > high)
+      throw Unusable_input("--" + option + " must be a whole number from " + std::to_string(low) + " to " +
+                           std::to_string(high) + ", not " + std::to_string(n));
+    return n;
+  }
+
+  // The number of threads: as many as anyone has cores at most.
+  unsigned int number_of_threads(const std::string& option = "threads") const
+  {
+    constexpr long long most_threads = 4096;
+    return static_cast<unsigned int>(whole_number(option, 1, most_threads));
+  }
+
+  // The seed of random numbers.
+  unsigned int random_seed(const std::string& option = "seed") const
+  {
+    return static_cast<unsigned int>(whole_number(option, 0, (std::numeric_limits<unsigned int>::max)()));
+  }
+
   // The position of the option's value in the list of words that are allowed.
   std::size_t choice(const std::string& option, const std::vector<std::string>& words) const
   {
@@ -230,17 +276,28 @@ private:
   }
 };
 
-// Reads a triangle mesh and says on the standard error stream, in one line, what was repaired.
+// Reads a triangle mesh and says on the standard error stream, in one line, what was repaired. The result relates the
+// elements of the mesh to those of the file.
+template <typename Mesh>
+Mesh read_mesh(const std::string& filename, CGAL::Quad_meshing::Mesh_reading_result& result)
+{
+  Mesh tm;
+  result = CGAL::Quad_meshing::read_triangle_mesh(filename, tm);
+  if(!result)
+    throw Unusable_input(filename + ": " + result.message);
+  std::string line;
+  for(const std::string& repair : result.repairs)
+    line += " " + repair;
+  if(!line.empty())
+    std::cerr << filename << ":" << line << "\n";
+  return tm;
+}
+
 template <typename Mesh>
 Mesh read_mesh(const std::string& filename)
 {
-  Mesh tm;
-  const CGAL::Quad_meshing::Mesh_reading_result result = CGAL::Quad_meshing::read_triangle_mesh(filename, tm);
-  if(!result)
-    throw Unusable_input(filename + ": " + result.message);
-  for(std::size_t i = 0; i < result.repairs.size(); ++i)
-    std::cerr << (i == 0 ? filename + ": " : "; ") << result.repairs[i] << (i + 1 == result.repairs.size() ? "\n" : "");
-  return tm;
+  CGAL::Quad_meshing::Mesh_reading_result result;
+  return read_mesh<Mesh>(filename, result);
 }
 
 // Reads points and polygons as they are in the file.
@@ -274,14 +331,22 @@ inline void check_output(const std::string& filename)
     std::remove(filename.c_str());
 }
 
-// The same for `write_mesh()`, which must know the format.
-inline void check_mesh_output(const std::string& filename)
+// The same for a file in one of some formats, told by the extension in lower case letters.
+inline void check_output(const std::string& filename, const std::vector<std::string>& formats)
 {
   const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
-  if(extension != "off" && extension != "obj" && extension != "ply")
-    throw Unusable_input(filename + ": the format '" + extension + "' is not one of off, obj, ply");
+  if(std::find(formats.begin(), formats.end(), extension) == formats.end())
+  {
+    std::string list;
+    for(const std::string& format : formats)
+      list += (list.empty() ? "" : ", ") + format;
+    throw Unusable_input(filename + ": the format '" + extension + "' is not " + (formats.size() > 1 ? "one of " : "") + list);
+  }
   check_output(filename);
 }
+
+// The same for `write_mesh()`, which must know the format.
+inline void check_mesh_output(const std::string& filename) { check_output(filename, { "off", "obj", "ply" }); }
 
 // Writes a mesh in the format that the extension names, with numbers that read back as they are.
 template <typename Mesh>

@@ -146,7 +146,32 @@ void join(const Mesh& tm, Field& field, const Location& from, const Location& to
     throw Unusable_input("two consecutive points of a polyline lie on different parts of the surface");
 }
 
-void add_vertices(const std::string& list, const Mesh& tm, Field& field)
+// The vertices of the mesh that stand for each vertex of the file: none if no face has it, several if it was split.
+class File_vertices
+{
+  std::vector<std::vector<Mesh::Vertex_index> > m_vertices;
+
+public:
+  explicit File_vertices(const QM::File_numbers& numbers) : m_vertices(numbers.file_size())
+  {
+    for(std::size_t v = 0; v < m_vertices.size(); ++v)
+      if(numbers.mesh_number(v) != QM::File_numbers::none)
+        m_vertices[v].emplace_back(static_cast<Mesh::size_type>(numbers.mesh_number(v)));
+    for(std::size_t i = 0; i < numbers.mesh_size(); ++i)
+    {
+      const std::size_t v = numbers.file_number(i);
+      const Mesh::Vertex_index vertex(static_cast<Mesh::size_type>(i));
+      if(v != QM::File_numbers::none && m_vertices[v].front() != vertex)
+        m_vertices[v].push_back(vertex);
+    }
+  }
+
+  std::size_t size() const { return m_vertices.size(); }
+  const std::vector<Mesh::Vertex_index>& operator[](std::size_t v) const { return m_vertices[v]; }
+};
+
+// Numbers of vertices are those of the file.
+void add_vertices(const std::string& list, const File_vertices& file_vertices, Field& field)
 {
   std::istringstream words(list);
   std::string word;
@@ -155,10 +180,13 @@ void add_vertices(const std::string& list, const Mesh& tm, Field& field)
     std::istringstream number(word);
     long long v;
     char rest;
-    if(!(number >> v) || (number >> rest) || v < 0 || v >= static_cast<long long>(tm.number_of_vertices()))
+    if(!(number >> v) || (number >> rest) || v < 0 || v >= static_cast<long long>(file_vertices.size()))
       throw Unusable_input("--vertices: '" + word + "' is not the number of a vertex (0 to " +
-                           std::to_string(static_cast<long long>(tm.number_of_vertices()) - 1) + ")");
-    field.add_source(Mesh::Vertex_index(static_cast<Mesh::size_type>(v)));
+                           std::to_string(static_cast<long long>(file_vertices.size()) - 1) + ")");
+    if(file_vertices[static_cast<std::size_t>(v)].empty())
+      throw Unusable_input("--vertices: vertex " + word + " is in no face");
+    for(Mesh::Vertex_index vertex : file_vertices[static_cast<std::size_t>(v)])
+      field.add_source(vertex);
   }
 }
 
@@ -189,13 +217,38 @@ void add_sharp_edges(double angle, Mesh& tm, Field& field)
     throw Unusable_input("--sharp-edges: there is no edge with such an angle");
 }
 
-// Writes the lower and the upper bound of each distance, a vertex in each line.
-template <typename EnclosureMap>
-void write_enclosures(const std::string& filename, const Mesh& tm, const EnclosureMap& enclosures)
+// Writes the distance of each vertex of the file, one in each line, and inf for those without a face.
+template <typename DistanceMap>
+void write_distances_of_file(const std::string& filename, const File_vertices& file_vertices, const DistanceMap& distance)
 {
   std::ofstream os = command_line::open_output(filename);
-  for(Mesh::Vertex_index v : tm.vertices())
-    os << enclosures[v].inf() << " " << enclosures[v].sup() << "\n";
+  for(std::size_t v = 0; v < file_vertices.size(); ++v)
+  {
+    double d = std::numeric_limits<double>::infinity();
+    for(Mesh::Vertex_index vertex : file_vertices[v])
+      d = (std::min)(d, distance[vertex]);
+    os << d << "\n";
+  }
+  os.close();
+  if(!os)
+    throw Unusable_input(filename + ": writing failed");
+}
+
+// Writes the lower and the upper bound of each distance in the same way.
+template <typename EnclosureMap>
+void write_enclosures(const std::string& filename, const File_vertices& file_vertices, const EnclosureMap& enclosures)
+{
+  std::ofstream os = command_line::open_output(filename);
+  for(std::size_t v = 0; v < file_vertices.size(); ++v)
+  {
+    double low = std::numeric_limits<double>::infinity(), high = low;
+    for(Mesh::Vertex_index vertex : file_vertices[v])
+    {
+      low = (std::min)(low, enclosures[vertex].inf());
+      high = (std::min)(high, enclosures[vertex].sup());
+    }
+    os << low << " " << high << "\n";
+  }
   os.close();
   if(!os)
     throw Unusable_input(filename + ": writing failed");
@@ -254,7 +307,7 @@ int distances(int argc, char* argv[])
 {
   po::options_description options("Options");
   options.add_options()
-    ("vertices", po::value<std::string>(), "source vertices, as 0,17,4")
+    ("vertices", po::value<std::string>(), "source vertices in the numbers of IN, as 0,17,4")
     ("points", po::value<std::string>(), "file with source points, x y z in each line, projected to the surface")
     ("polyline", po::value<std::string>(), "file with source polylines, a point in each line, consecutive points are joined "
                                            "by the shortest curve on the surface; an empty line begins a new one")
@@ -272,14 +325,13 @@ int distances(int argc, char* argv[])
     ("paths-out", po::value<std::string>(), "file for these paths as polylines; default: OUT.paths.txt")
     ("json", po::value<std::string>(), "file for the figures");
   command_line::Arguments args("geodesic_distance", "Computes the geodesic distance from sources on a triangle mesh. OUT is a .txt file with one "
-                               "distance per vertex, or a .ply mesh with the vertex property 'distance'.", { "IN", "OUT" }, options);
+                               "distance per vertex of IN, inf for those without a face, or a .ply mesh with the vertex property 'distance'.", { "IN", "OUT" }, options);
   if(!args.parse(argc, argv))
     return command_line::done;
   const double epsilon = args.number("epsilon", 0, 1);
   const std::string out = args.positional(1);
+  command_line::check_output(out, { "txt", "ply" });
   const std::string extension = QM::internal::file_extension(out);
-  if(extension != "txt" && extension != "ply")
-    throw Unusable_input(out + ": the format '" + extension + "' is not one of txt, ply");
   if(args.has("refine") && (args.positive_number("refine"), extension != "ply"))
     throw Unusable_input(out + ": a refined mesh needs the format ply");
   if(args.has("isolines"))
@@ -291,7 +343,9 @@ int distances(int argc, char* argv[])
 
   CGAL::Real_timer timer;
   timer.start();
-  Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
+  QM::Mesh_reading_result reading;
+  Mesh tm = command_line::read_mesh<Mesh>(args.positional(0), reading);
+  const File_vertices file_vertices(reading.vertices);
   const double reading_seconds = timer.time();
   Field field(tm);
   std::unique_ptr<Locator> locator;
@@ -302,7 +356,7 @@ int distances(int argc, char* argv[])
     return *locator;
   };
   if(args.has("vertices"))
-    add_vertices(args.value<std::string>("vertices"), tm, field);
+    add_vertices(args.value<std::string>("vertices"), file_vertices, field);
   if(args.has("points"))
     for(const auto& part : read_polylines(args.value<std::string>("points")))
       for(const Point_3& p : part)
@@ -336,16 +390,18 @@ int distances(int argc, char* argv[])
   json.set("propagation_seconds", result.seconds);
   json.set("unreached_vertices", result.number_of_unreached_vertices);
   json.set("maximum_distance", result.maximum_distance);
-  std::cout << tm.number_of_faces() << " faces, " << field.number_of_sources() << " sources, " << number_of_windows << " windows, "
-            << "largest distance " << result.maximum_distance << ", " << result.number_of_unreached_vertices
-            << " vertices unreached, " << result.seconds << " s\n";
+  using command_line::count_of;
+  std::cout << count_of(tm.number_of_faces(), "face", "faces") << ", " << count_of(field.number_of_sources(), "source", "sources")
+            << ", " << count_of(number_of_windows, "window", "windows") << ", largest distance " << result.maximum_distance << ", "
+            << count_of(result.number_of_unreached_vertices, "vertex", "vertices") << " unreached, " << result.seconds << " s\n";
 
   bool is_valid = true;
   if(args.has("certified"))
   {
     auto enclosures = tm.add_property_map<Mesh::Vertex_index, CGAL::Interval_nt<> >("v:enclosure").first;
     const QM::Distance_certificate certificate = QM::certify_distances(field, enclosures, params::visitor(std::ref(progress_bar)));
-    write_enclosures(args.has("enclosures-out") ? args.value<std::string>("enclosures-out") : out + ".enclosures.txt", tm, enclosures);
+    write_enclosures(args.has("enclosures-out") ? args.value<std::string>("enclosures-out") : out + ".enclosures.txt", file_vertices,
+                     enclosures);
     std::cout << "the distances are certain up to " << certificate.largest_width << ", relative to the distance " << certificate.largest_relative_width
               << "\n";
     json.set("enclosure_width", certificate.largest_relative_width);
@@ -374,7 +430,7 @@ int distances(int argc, char* argv[])
     distance = refined.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
     const QM::Distance_refinement_result r =
       QM::refine_distance_field(field, refined, distance, args.value<double>("refine"));
-    std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with " << r.number_of_faces << " faces\n";
+    std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with " << count_of(r.number_of_faces, "face", "faces") << "\n";
     json.set("interpolation_error", r.error);
     json.set("refined_faces", r.number_of_faces);
     is_valid = is_valid && r;
@@ -387,14 +443,7 @@ int distances(int argc, char* argv[])
   if(extension == "ply")
     write_distances(out, *result_mesh, [&](Mesh::Vertex_index v) { return distance[v]; });
   else
-  {
-    std::ofstream os = command_line::open_output(out);
-    for(Mesh::Vertex_index v : tm.vertices())
-      os << distance[v] << "\n";
-    os.close();
-    if(!os)
-      throw Unusable_input(out + ": writing failed");
-  }
+    write_distances_of_file(out, file_vertices, distance);
   if(args.has("isolines"))
   {
     const std::string filename = args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";

@@ -174,15 +174,14 @@ int main(int argc, char* argv[])
     options.add_options()
       ("reference", po::value<std::string>(), "triangle mesh that the quad mesh stands for: adds distances and kept features")
       ("sharp-angle", po::value<double>()->default_value(40), "edges of the reference with a larger angle between normals are sharp (degrees)")
-      ("worst", po::value<int>()->default_value(10), "number of worst quads to list")
+      ("worst", po::value<long long>()->default_value(10), "number of worst quads to list")
       ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
     command_line::Arguments args("quad_mesh_statistics", "measures the quad mesh IN", { "IN" }, options);
     if(!args.parse(argc, argv))
       return static_cast<int>(command_line::done);
     const std::string filename = args.positional(0);
     const double sharp_angle = args.number("sharp-angle", 0, 180);
-    if(args.value<int>("worst") < 0)
-      throw command_line::Unusable_input("--worst must not be negative");
+    const int number_of_worst = static_cast<int>(args.whole_number("worst", 0, (std::numeric_limits<int>::max)()));
 
     std::vector<Point_3> points;
     std::vector<std::vector<std::size_t> > polygons;
@@ -208,7 +207,7 @@ int main(int argc, char* argv[])
       Mesh qm;
       PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
       report_structure(qm, report);
-      report_quality(qm, report, args.value<int>("worst"));
+      report_quality(qm, report, number_of_worst);
       if(args.has("reference"))
         report_deviation(qm, args.value<std::string>("reference"), sharp_angle, report);
     }

@@ -14,12 +14,18 @@
 
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/Fields/Cross_field_report.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
+#include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/Face_frames.h>
+#include <CGAL/Quad_meshing/Fields/Feature_edges_result.h>
 #include <CGAL/Quad_meshing/Fields/Field_sectors.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/cross_field_indices.h>
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
@@ -48,6 +54,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
@@ -61,9 +68,12 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/work_on_quad_mesh_copy.h>
+#include <CGAL/Quad_meshing/Structure/Quad_structure_optimization_result.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Default_visitor.h>

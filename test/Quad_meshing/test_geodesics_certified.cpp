@@ -9,6 +9,7 @@
 // Enclosures of distances against distances of a hundred digits, found by going through all sequences of faces.
 
 #include "geodesics_meshes.h"
+#include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 
@@ -246,6 +247,72 @@ void test_known_distances()
   }
 }
 
+// The points in which the segment pq meets the edges of a mesh in the plane z = 0, in their order, between those of its ends.
+std::vector<Location> traced(const Mesh& tm, const Point_3& p, const Point_3& q)
+{
+  std::vector<std::pair<double, Location> > found;
+  const auto side = [&](const Point_3& x) { return (q.x() - p.x()) * (x.y() - p.y()) - (q.y() - p.y()) * (x.x() - p.x()); };
+  for(auto e : tm.edges())
+  {
+    auto h = tm.halfedge(e);
+    if(tm.is_border(h))
+      h = tm.opposite(h);
+    const Point_3 &a = tm.point(tm.source(h)), &b = tm.point(tm.target(h));
+    const double s = side(a) / (side(a) - side(b));
+    if(! (side(a) * side(b) < 0))
+      continue;
+    const Point_3 x = a + s * (b - a);
+    const double t = ((x - p) * (q - p)) / ((q - p) * (q - p));
+    if(! (0 < t && t < 1))
+      continue;
+    Location l(tm.face(h), {{ 0, 0, 0 }});
+    auto g = tm.halfedge(l.first);
+    for(int k = 0; k < 3; ++k, g = tm.next(g))
+      if(g == h)
+      {
+        l.second[k] = 1 - s;
+        l.second[(k + 1) % 3] = s;
+      }
+    found.emplace_back(t, l);
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Location> points;
+  for(const auto& f : found)
+    points.push_back(f.second);
+  return points;
+}
+
+// Polylines that cross many faces are certified as closely as points are.
+void test_crossing_polylines()
+{
+  std::cout << "polylines across faces" << std::endl;
+  double widest = 0;
+  for(unsigned int seed = 1; seed <= 12; ++seed)
+  {
+    Mesh tm = make_mesh(seed % 2 == 0 ? grid(8, 8) : uneven_square(8, seed));
+    auto enclosures = tm.add_property_map<Vertex, Interval>("v:enclosure").first;
+    const double angle = 0.5 * seed;
+    const CGAL::Vector_3<Mesh::Point::R> d(0.37 * std::cos(angle), 0.37 * std::sin(angle), 0);
+    const Point_3 middle(0.511, 0.487, 0);
+    const std::vector<Location> points = traced(tm, middle - d, middle + d);
+    assert(points.size() > 4);
+    Field field(tm);
+    assert(field.add_polyline_source(points) != Field::no_source());
+    field.propagate();
+    const auto certificate = QM::certify_distances(field, enclosures);
+    check_width(tm, field, certificate, enclosures);
+    widest = (std::max)(widest, certificate.largest_width);
+    const Point_3 first = point(tm, points.front()), last = point(tm, points.back());
+    for(Vertex v : tm.vertices())
+    {
+      const double exact = distance_to_segment(tm.point(v), first, last);
+      assert(enclosures[v].inf() <= exact + 1e-14 && exact - 1e-14 <= enclosures[v].sup());
+    }
+  }
+  std::cout << "  width up to " << widest << std::endl;
+  assert(widest < 1e-11);
+}
+
 // What is wrong or missing in a field makes enclosures wide, never wrong.
 void test_bad_fields()
 {
@@ -379,15 +446,16 @@ void test_real_meshes()
   }
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  test_numbers();
-  test_against_brute_force();
-  test_known_distances();
-  test_bad_fields();
-  test_interval_field();
-  test_narrow_windows();
-  test_real_meshes();
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "numbers", test_numbers },
+    { "against_brute_force", test_against_brute_force },
+    { "known_distances", test_known_distances },
+    { "crossing_polylines", test_crossing_polylines },
+    { "bad_fields", test_bad_fields },
+    { "interval_field", test_interval_field },
+    { "narrow_windows", test_narrow_windows },
+    { "real_meshes", test_real_meshes }
+  });
 }

@@ -11,11 +11,16 @@
 
 #include "quad_mesh_checks.h"
 #include "structure_meshes.h"
+#include "test_cases.h"
 #include "test_meshes.h"
 
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -116,7 +121,7 @@ int random_operators(const char* name, const SM::Quad_soup& soup, int wanted, un
   long crossings = 0;
   while(done < wanted && failures < wanted)
   {
-    const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+    const QM::internal::Quad_vertex_rules rules = QM::internal::make_quad_vertex_rules(m, false);
     QM::internal::Gp_search search(m, rules);
     QM::internal::Gp_path path;
     for(int attempt = 0; attempt < 10 && path.empty(); ++attempt)
@@ -287,13 +292,12 @@ void test_dual_curve_operators()
 
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
-  test_random_operators();
-  test_graph_interface<Mesh>("Surface_mesh");
-  test_graph_interface<Polyhedron>("Polyhedron_3");
-  test_constraints();
-  test_dual_curve_operators();
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "random_operators", test_random_operators },
+    { "surface_mesh", [] { test_graph_interface<Mesh>("Surface_mesh"); } },
+    { "polyhedron", [] { test_graph_interface<Polyhedron>("Polyhedron_3"); } },
+    { "constraints", test_constraints },
+    { "dual_curve_operators", test_dual_curve_operators } });
 }

@@ -10,12 +10,16 @@
 // direct constructions, smoothing with its guarantees.
 
 #include "structure_meshes.h"
+#include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Helix_detection.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -35,7 +39,7 @@ typedef QM::internal::Indexed_quad_mesh Flat_mesh;
 
 namespace {
 
-bool near(double a, double b, double tolerance = 1e-9) { return std::abs(a - b) <= tolerance; }
+bool is_close(double a, double b, double tolerance = 1e-9) { return std::abs(a - b) <= tolerance; }
 
 Mesh one_quad(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
 {
@@ -46,13 +50,13 @@ void test_quality()
 {
   std::cout << "quality" << std::endl;
   const QM::Quad_mesh_quality square = QM::quad_mesh_quality(SM::make_mesh(SM::grid(3, 2)));
-  assert(near(square.mean_angle_deviation, 0) && near(square.minimal_scaled_jacobian, 1));
-  assert(near(square.mean_edge_length, 1) && near(square.edge_length_variation, 0) && near(square.area, 6));
+  assert(is_close(square.mean_angle_deviation, 0) && is_close(square.minimal_scaled_jacobian, 1));
+  assert(is_close(square.mean_edge_length, 1) && is_close(square.edge_length_variation, 0) && is_close(square.area, 6));
 
   const double s = 60 * SM::pi / 180;
   const QM::Quad_mesh_quality rhombus = QM::quad_mesh_quality(
     one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1 + std::cos(s), std::sin(s), 0), Point_3(std::cos(s), std::sin(s), 0)));
-  assert(near(rhombus.mean_angle_deviation, 30) && near(rhombus.minimal_scaled_jacobian, std::sin(s)));
+  assert(is_close(rhombus.mean_angle_deviation, 30) && is_close(rhombus.minimal_scaled_jacobian, std::sin(s)));
 
   const QM::Quad_mesh_quality arrow = QM::quad_mesh_quality(
     one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.2, 0.2, 0), Point_3(0, 1, 0)));
@@ -62,8 +66,8 @@ void test_quality()
   const QM::Quad_mesh_quality bent = QM::quad_mesh_quality(
     one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, h), Point_3(0, 1, 0)));
   const double side = (2 + 2 * std::sqrt(1 + h * h)) / 4;
-  assert(near(bent.maximal_planarity, h / std::sqrt(2 * h * h + 4) / side));
-  assert(near(bent.maximal_aspect_ratio, std::sqrt(1 + h * h)));
+  assert(is_close(bent.maximal_planarity, h / std::sqrt(2 * h * h + 4) / side));
+  assert(is_close(bent.maximal_aspect_ratio, std::sqrt(1 + h * h)));
 
   // rigid motion and scale
   SM::Quad_soup soup = SM::sphere(6);
@@ -72,10 +76,10 @@ void test_quality()
     p = Point_3(-3 * p.y() + 5, 3 * p.x() - 1, 3 * p.z());
   const Mesh moved = SM::make_mesh(soup);
   const QM::Quad_mesh_quality b = QM::quad_mesh_quality(moved);
-  assert(near(a.mean_angle_deviation, b.mean_angle_deviation) && near(a.minimal_scaled_jacobian, b.minimal_scaled_jacobian));
-  assert(near(3 * a.mean_edge_length, b.mean_edge_length) && near(9 * a.area, b.area));
+  assert(is_close(a.mean_angle_deviation, b.mean_angle_deviation) && is_close(a.minimal_scaled_jacobian, b.minimal_scaled_jacobian));
+  assert(is_close(3 * a.mean_edge_length, b.mean_edge_length) && is_close(9 * a.area, b.area));
   const auto worst = QM::worst_quads(moved, 5);
-  assert(worst.size() == 5 && near(worst[0].second, b.minimal_scaled_jacobian));
+  assert(worst.size() == 5 && is_close(worst[0].second, b.minimal_scaled_jacobian));
 }
 
 void test_defects()
@@ -250,7 +254,7 @@ void test_structure()
     for(const auto& h : helices)
     {
       assert(h.pitch == shift && h.turn_length == 10);
-      assert(near(h.winding_number(), h.length / 10.));
+      assert(is_close(h.winding_number(), h.length / 10.));
       length += h.length;
     }
     assert(length == 70);
@@ -401,8 +405,8 @@ void test_features_under_smoothing(bool globally)
   for(auto v : cube.vertices())
     for(int k = 0; k < 3; ++k)
       if(std::abs(cube_soup.points[v][k]) == 1)
-        assert(near(cube.point(v)[k], cube_soup.points[v][k], 1e-9));
-  assert(near(QM::quad_mesh_deviation(cube, reference, CGAL::parameters::default_values(),
+        assert(is_close(cube.point(v)[k], cube_soup.points[v][k], 1e-9));
+  assert(is_close(QM::quad_mesh_deviation(cube, reference, CGAL::parameters::default_values(),
                                       CGAL::parameters::edge_is_constrained_map(reference_feature)).features_kept, 1));
 }
 
@@ -415,7 +419,7 @@ void test_smoothing()
   {
     Mesh qm = SM::make_mesh(displaced(SM::sphere(12), amount, 3));
     const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, sphere);
-    assert(r.status == QM::Quad_mesh_smoothing_result::smoothed && r.folded_quads_after == 0);
+    assert(r.status == QM::Quad_mesh_smoothing_status::SMOOTHED && r.folded_quads_after == 0);
     assert(r.quality_after.minimal_scaled_jacobian > 0.5);
     assert(r.quality_after.mean_angle_deviation < 8 && r.quality_after.mean_angle_deviation < r.quality_before.mean_angle_deviation);
     for(auto v : qm.vertices())
@@ -432,19 +436,19 @@ void test_smoothing()
     const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, CGAL::parameters::smooth_globally(seed % 4 < 2));
     if(valid)
       assert(r.quality_after.number_of_inverted_quads == 0);
-    assert(near(QM::quad_mesh_quality(qm).minimal_scaled_jacobian, r.quality_after.minimal_scaled_jacobian));
+    assert(is_close(QM::quad_mesh_quality(qm).minimal_scaled_jacobian, r.quality_after.minimal_scaled_jacobian));
   }
 
   // the boundary of a rectangle is kept, its corners stay, and the squares come back
   const SM::Quad_soup square = SM::grid(9, 6);
   const Mesh plane = SM::triangulated(square);
   Mesh qm = SM::make_mesh(displaced(square, 0.6, 5));
-  const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, plane, CGAL::parameters::number_of_iterations(200u));
+  const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, plane, CGAL::parameters::smoothing_iterations(200u));
   assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5);
   for(auto v : qm.vertices())
   {
     const Point_3 &p = qm.point(v), &q = square.points[v];
-    assert(near(p.z(), 0, 1e-12));
+    assert(is_close(p.z(), 0, 1e-12));
     if(q.x() == 0 || q.x() == 9)
       assert(p.x() == q.x());
     if(q.y() == 0 || q.y() == 6)
@@ -464,13 +468,13 @@ void test_smoothing()
 
   // answers to bad input, and stopping
   Mesh triangles = SM::triangulated(SM::cube(1)), cube = SM::make_mesh(SM::cube(6)), empty;
-  assert(QM::smooth_quad_mesh(triangles).status == QM::Quad_mesh_smoothing_result::not_a_quad_mesh);
-  assert(QM::smooth_quad_mesh(cube, empty).status == QM::Quad_mesh_smoothing_result::empty_reference);
-  assert(QM::smooth_quad_mesh(empty).status == QM::Quad_mesh_smoothing_result::smoothed);
+  assert(QM::smooth_quad_mesh(triangles).status == QM::Quad_mesh_smoothing_status::NOT_A_QUAD_MESH);
+  assert(QM::smooth_quad_mesh(cube, empty).status == QM::Quad_mesh_smoothing_status::EMPTY_REFERENCE);
+  assert(QM::smooth_quad_mesh(empty).status == QM::Quad_mesh_smoothing_status::SMOOTHED);
   struct Stop : QM::Default_visitor { bool go_further() { return false; } } stop;
   Mesh shaken = SM::make_mesh(displaced(SM::sphere(6), 0.3, 1)), copy = shaken;
   assert(QM::smooth_quad_mesh(copy, sphere, CGAL::parameters::visitor(std::ref(stop))).status
-         == QM::Quad_mesh_smoothing_result::stopped);
+         == QM::Quad_mesh_smoothing_status::STOPPED);
   for(auto v : copy.vertices())
     assert(copy.point(v) == shaken.point(v));
 }
@@ -493,7 +497,7 @@ void test_global_smoothing()
   for(auto v : all_at_once.vertices())
   {
     const Point_3 &p = all_at_once.point(v), &q = square.points[v];
-    assert(near(p.x(), q.x(), 0.1) && near(p.y(), q.y(), 0.1) && near(p.z(), 0, 1e-12));
+    assert(is_close(p.x(), q.x(), 0.1) && is_close(p.y(), q.y(), 0.1) && is_close(p.z(), 0, 1e-12));
     if(q.x() == 0 || q.x() == 40)
       assert(p.x() == q.x());
     if(q.y() == 0 || q.y() == 40)
@@ -515,8 +519,8 @@ void test_global_smoothing()
   assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5 && r.quality_after.minimal_scaled_jacobian > 0.95);
   for(auto v : all_at_once.vertices())
     if(all_at_once.is_border(v))
-      assert(near(all_at_once.point(v).z(), cylinder.points[v].z()));
-  assert(near(QM::quad_mesh_deviation(all_at_once, round).boundary_kept, 1));
+      assert(is_close(all_at_once.point(v).z(), cylinder.points[v].z()));
+  assert(is_close(QM::quad_mesh_deviation(all_at_once, round).boundary_kept, 1));
 
   // same input, same output
   Mesh again = SM::make_mesh(cylinder);
@@ -526,13 +530,12 @@ void test_global_smoothing()
 
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
-  test_quality();
-  test_defects();
-  test_structure();
-  test_smoothing();
-  test_global_smoothing();
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "quality", test_quality },
+    { "defects", test_defects },
+    { "structure", test_structure },
+    { "smoothing", test_smoothing },
+    { "global_smoothing", test_global_smoothing } });
 }

@@ -12,10 +12,23 @@
 
 #include "quad_mesh_checks.h"
 #include "structure_meshes.h"
+#include "test_cases.h"
+#include "visitor_checks.h"
 
+#include <CGAL/Quad_meshing/Layout/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -34,6 +47,7 @@ namespace SM = structure_meshes;
 typedef SM::Mesh Mesh;
 typedef QM::internal::Indexed_quad_mesh Flat_mesh;
 typedef QM::Quad_structure_optimization_result Result;
+typedef QM::Structure_optimization_status Status;
 using QM::internal::Layout_curves;
 using QM::internal::Layout_distortion;
 using QM::internal::Layout_quantization;
@@ -41,6 +55,8 @@ using QM::internal::Layout_realization;
 using QM::internal::Motorcycle_complex;
 
 namespace {
+
+QM::internal::Any_visitor nobody;     // lets everything pass
 
 // Few attempts: these meshes are small.
 auto options(QM::Structure_method method = QM::Structure_method::LAYOUT)
@@ -59,7 +75,7 @@ Flat_mesh twisted(Flat_mesh m, int operators, unsigned int seed)
   CGAL::Random random(seed);
   for(int i = 0; i < operators; ++i)
   {
-    const QM::internal::Gp_vertex_rules rules = QM::internal::make_gp_vertex_rules(m, false);
+    const QM::internal::Quad_vertex_rules rules = QM::internal::make_quad_vertex_rules(m, false);
     QM::internal::Gp_search search(m, rules);
     const QM::internal::Gp_path path =
       search.close({ 3 * random.get_int(0, m.number_of_halfedges()) + 2 * random.get_int(0, 2) });
@@ -259,7 +275,7 @@ void test_distortion()
     const std::vector<char> is_fixed(m.number_of_vertices(), 0);
     const Motorcycle_complex complex(m, is_fixed);
     const Layout_quantization quantization(m, complex, is_fixed, false);
-    const Layout_distortion distortion(m, complex, quantization.rules(), is_fixed);
+    const Layout_distortion distortion(m, complex, quantization.rules(), is_fixed, nobody);
     std::vector<int> length = quantization.length;
     for(int factor : { 1, 3 })
     {
@@ -274,7 +290,7 @@ void test_distortion()
   const std::vector<char> none(square.number_of_vertices(), 0);
   const Motorcycle_complex complex(square, none);
   const Layout_quantization quantization(square, complex, none, false);
-  const Layout_distortion distortion(square, complex, quantization.rules(), none);
+  const Layout_distortion distortion(square, complex, quantization.rules(), none, nobody);
   assert(complex.patches.size() == 1);
   std::vector<int> wide = quantization.length;
   for(int k : { 0, 2 })
@@ -288,7 +304,7 @@ void test_distortion()
   const std::vector<char> is_fixed(m.number_of_vertices(), 0);
   const Motorcycle_complex walls(m, is_fixed);
   Layout_quantization lengths(m, walls, is_fixed, false);
-  const Layout_distortion d(m, walls, lengths.rules(), is_fixed);
+  const Layout_distortion d(m, walls, lengths.rules(), is_fixed, nobody);
   CGAL::Random random(5);
   int changes = 0, agreeing = 0;
   for(int i = 0; i < 300; ++i)
@@ -314,6 +330,55 @@ void test_distortion()
   assert(changes > 50 && agreeing > 0.75 * changes);
 }
 
+// The prices are the gradient of the distortion, but for a factor, along all changes that keep opposite sides equal. The
+// distortion does not depend on the scale, so small steps are taken from large multiples of the lengths.
+void test_distortion_derivatives()
+{
+  constexpr int multiple = 1000;
+  const Flat_mesh m = twisted(flat(SM::refined(irregular(), 3)), 8, 2);
+  const std::vector<char> is_fixed(m.number_of_vertices(), 0);
+  const Motorcycle_complex walls(m, is_fixed);
+  Layout_quantization lengths(m, walls, is_fixed, false);
+  const Layout_distortion d(m, walls, lengths.rules(), is_fixed, nobody);
+  CGAL::Random random(7);
+  // away from the lengths of the input, where the gradient vanishes
+  auto change = [&](int by) { return lengths.change(random.get_int(0, int(walls.arcs.size())), by, 1., 0.1, false); };
+  for(int i = 0; i < 20; ++i)
+    change(i % 2 == 0 ? 1 : -1);
+  const std::vector<int> start = lengths.length;
+  const std::vector<double> price = d.prices(start);
+  std::vector<double> foretold, measured;
+  for(int i = 0; i < 60; ++i)
+  {
+    lengths.length = start;
+    if(!change(1))
+      continue;
+    std::vector<int> more = start, less = start;
+    double slope = 0;
+    for(std::size_t a = 0; a < start.size(); ++a)
+    {
+      const int by = lengths.length[a] - start[a];
+      more[a] = multiple * start[a] + by;
+      less[a] = multiple * start[a] - by;
+      slope += price[a] * by;
+    }
+    foretold.push_back(slope);
+    measured.push_back(multiple * (d(more) - d(less)) / 2);
+  }
+  // the factor by least squares; what is left is rounding
+  double fm = 0, ff = 0, mm = 0, left = 0;
+  for(std::size_t i = 0; i < foretold.size(); ++i)
+  {
+    fm += foretold[i] * measured[i];
+    ff += foretold[i] * foretold[i];
+    mm += measured[i] * measured[i];
+  }
+  for(std::size_t i = 0; i < foretold.size(); ++i)
+    left += CGAL::square(measured[i] - fm / ff * foretold[i]);
+  std::cout << "  " << foretold.size() << " directions, relative residual " << std::sqrt(left / mm) << std::endl;
+  assert(foretold.size() > 20 && fm > 0 && left < 1e-6 * mm);
+}
+
 // A cube twisted by a random shift comes back to its six patches.
 void test_twisted_cubes(QM::Structure_method method)
 {
@@ -328,7 +393,7 @@ void test_twisted_cubes(QM::Structure_method method)
     ++number;
     const Mesh reference = SM::triangulated(SM::sphere(20));
     const Result r = QM::optimize_quad_structure(qm, reference, options(method));
-    assert(r.status == Result::optimized && r.structure_before.number_of_patches == before.number_of_patches);
+    assert(r.status == Status::OPTIMIZED && r.structure_before.number_of_patches == before.number_of_patches);
     const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
     assert(after.number_of_patches == 6 && after.number_of_helices == 0 && same_topology(after, before));
     assert(QM::quad_mesh_quality(qm).minimal_scaled_jacobian > 0);
@@ -361,7 +426,7 @@ void test_cubes_with_helices(QM::Structure_method method)
     const QM::Quad_mesh_quality quality = QM::quad_mesh_quality(qm);
     const Result r = QM::optimize_quad_structure(qm, SM::triangulated(SM::sphere(20)), options(method));
     const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
-    assert(r.status == Result::optimized && same_topology(after, before));
+    assert(r.status == Status::OPTIMIZED && same_topology(after, before));
     assert(after.number_of_patches == 6 && after.number_of_helices == 0 && after.number_of_nodes == 8);
     check_shape(quality, QM::quad_mesh_quality(qm));
   }
@@ -384,7 +449,7 @@ void test_twisted_meshes()
       const Mesh input = qm;
       const Result r = QM::optimize_quad_structure(qm, reference, options(method));
       const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
-      assert(r.status == Result::optimized && same_topology(after, before));
+      assert(r.status == Status::OPTIMIZED && same_topology(after, before));
       assert(after.number_of_patches <= before.number_of_patches && after.number_of_quads <= before.number_of_quads);
       if(method == QM::Structure_method::LAYOUT)
         assert(after.number_of_patches < 0.8 * before.number_of_patches && after.number_of_quads > 0.7 * before.number_of_quads);
@@ -454,7 +519,7 @@ void test_features()
   const SM::Point_3 place = qm.point(anchor);
   const Result r = QM::optimize_quad_structure(qm, SM::triangulated(SM::cube(4)),
     options().target_number_of_quads(400).edge_is_constrained_map(feature).vertex_is_constrained_map(is_fixed));
-  assert(r.status == Result::optimized && qm.number_of_faces() <= 400 && qm.number_of_faces() > 200);
+  assert(r.status == Status::OPTIMIZED && qm.number_of_faces() <= 400 && qm.number_of_faces() > 200);
   std::size_t corners = 0;
   for(auto v : qm.vertices())
     corners += std::abs(qm.point(v).x()) == 1 && std::abs(qm.point(v).y()) == 1 && std::abs(qm.point(v).z()) == 1;
@@ -524,7 +589,7 @@ void test_other_graph_and_bad_input()
       Stop stop(asked);
       Mesh qm = input;
       const Result r = QM::optimize_quad_structure(qm, options(method).visitor(std::ref(stop)));
-      if(r.status == Result::stopped)
+      if(r.status == Status::STOPPED)
         assert(qm.number_of_faces() == input.number_of_faces()
                && std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
       else
@@ -533,34 +598,84 @@ void test_other_graph_and_bad_input()
 
   // what has no irregular vertices: the helix of a cylinder goes over its border
   Mesh helix = SM::make_mesh(SM::rolled(12, 8, 1, false));
-  assert(QM::optimize_quad_structure(helix).status == Result::optimized && CGAL::is_valid_polygon_mesh(helix));
+  assert(QM::optimize_quad_structure(helix).status == Status::OPTIMIZED && CGAL::is_valid_polygon_mesh(helix));
   Mesh rectangle = SM::make_mesh(SM::grid(8, 8));
   QM::optimize_quad_structure(rectangle);
   assert(QM::quad_mesh_structure(rectangle).number_of_patches == 1 && rectangle.number_of_faces() == 64);
 
   // what is not a quad mesh is not touched
   Mesh triangles = SM::triangulated(SM::cube(2)), empty;
-  assert(QM::optimize_quad_structure(triangles).status == Result::not_a_quad_mesh);
-  assert(QM::optimize_quad_structure(empty).status == Result::not_a_quad_mesh);
+  assert(QM::optimize_quad_structure(triangles).status == Status::NOT_A_QUAD_MESH);
+  assert(QM::optimize_quad_structure(empty).status == Status::NOT_A_QUAD_MESH);
   Mesh cube = SM::make_mesh(SM::cube(2));
-  assert(QM::optimize_quad_structure(cube, empty).status == Result::empty_reference);
+  assert(QM::optimize_quad_structure(cube, empty).status == Status::EMPTY_REFERENCE);
+}
+
+// A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves on.
+void test_stop()
+{
+  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 8)), 16, 3));
+  const Mesh reference = SM::triangulated(SM::refined(irregular(), 8));
+  for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
+  {
+    std::cout << "  " << input.number_of_faces() << " quads, method " << int(method) << std::endl;
+    for(double seconds : { 0.3, 1.5, 4. })
+    {
+      visitor_checks::Stopwatch_visitor visitor(seconds);
+      Mesh qm = input;
+      const Result r = QM::optimize_quad_structure(qm, reference, CGAL::parameters::structure_method(method)
+                                                                    .visitor(std::ref(visitor)));
+      visitor.report();
+      assert(visitor.longest_gap() < visitor_checks::longest_gap);
+      assert(visitor.longest_rest_of_progress() < visitor_checks::longest_gap);
+      assert(visitor.has_stopped() == (r.status == Status::STOPPED));
+      if(r.status == Status::STOPPED)
+        assert(qm.number_of_faces() == input.number_of_faces()
+               && std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
+    }
+  }
+}
+
+// The search ends when its time is up, with a mesh of the same topology that is as good as the input at least, and says so.
+void test_time_limit()
+{
+  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 8)), 16, 3));
+  const QM::Quad_mesh_structure before = QM::quad_mesh_structure(input);
+  for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
+    for(double limit : { 0., 0.5, 2., 1e6 })
+    {
+      Mesh qm = input;
+      const Result r = QM::optimize_quad_structure(qm, options(method).maximum_running_time(limit));
+      const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
+      std::cout << "  limit " << limit << " s: " << r.message << std::endl;
+      assert(r.is_valid() && same_topology(after, before) && CGAL::is_valid_polygon_mesh(qm));
+      assert(after.number_of_patches == r.structure_after.number_of_patches);
+      assert(r.is_time_up == (r.message.find("time was up") != std::string::npos));
+      assert(after.number_of_patches <= before.number_of_patches);
+      if(limit == 0)
+        assert(r.is_time_up && after.number_of_patches == before.number_of_patches);
+      if(limit == 1e6)
+        assert(!r.is_time_up && after.number_of_patches < before.number_of_patches);
+    }
 }
 
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
-  test_layouts();
-  test_distortion();
-  test_twisted_cubes(QM::Structure_method::LAYOUT);
-  test_twisted_cubes(QM::Structure_method::HELICES);
-  test_cubes_with_helices(QM::Structure_method::LAYOUT);
-  test_cubes_with_helices(QM::Structure_method::HELICES);
-  test_twisted_meshes();
-  test_helices_become_few();
-  test_features();
-  test_targets_and_experiments();
-  test_other_graph_and_bad_input();
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "layouts", test_layouts },
+    { "distortion", test_distortion },
+    { "distortion_derivatives", test_distortion_derivatives },
+    { "twisted_cubes_by_layout", [] { test_twisted_cubes(QM::Structure_method::LAYOUT); } },
+    { "twisted_cubes_by_helices", [] { test_twisted_cubes(QM::Structure_method::HELICES); } },
+    { "cubes_with_helices_by_layout", [] { test_cubes_with_helices(QM::Structure_method::LAYOUT); } },
+    { "cubes_with_helices_by_helices", [] { test_cubes_with_helices(QM::Structure_method::HELICES); } },
+    { "twisted_meshes", test_twisted_meshes },
+    { "helices_become_few", test_helices_become_few },
+    { "features", test_features },
+    { "targets", test_targets_and_experiments },
+    { "bad_input", test_other_graph_and_bad_input },
+    { "stop", test_stop },
+    { "time_limit", test_time_limit } });
 }

@@ -24,6 +24,8 @@
 //   target_number_of_quads          number        about how many quads there should be; 4000
 //   align_boundary                  bool          whether the border becomes chains of quad edges; true
 //   face_direction_map              property map  face -> optional vector that the cross field follows; none
+//   face_direction_weight_map       property map  face -> weight of that vector, infinite: hard; all hard
+//   curvature_alignment             double        how much quads follow the directions of least curvature, 0 to 1; 1
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
 //   sizing_gradation                double        largest slope of the target edge length; 0.3
 //   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1, from
@@ -57,6 +59,9 @@
 //   relative_gap_tolerance          double        relative gap of energy and bound at which a search ends; 1e-9
 //   subproblem_selection            Subproblem_selection  order of the subproblems of branch-and-bound; BEST_BOUND
 //   branching_rule                  Branching_rule  variable that branch-and-bound splits; PSEUDO_COSTS
+//
+// Reading
+//   repair                          bool or Mesh_repairs  the repairs that read_triangle_mesh() may make; true: all
 //
 // Geodesic distances
 //   distance_limit                  double        distances beyond it need not be right; infinity
@@ -99,11 +104,14 @@
   CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \
   CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule)                        \
   CGAL_add_named_parameter(cross_field_method_t, cross_field_method, cross_field_method)            \
+  CGAL_add_named_parameter(repair_t, repair, repair)                                                \
   CGAL_add_named_parameter(distance_limit_t, distance_limit, distance_limit)                        \
   CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)                     \
   CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
   CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
+  CGAL_add_named_parameter(face_direction_weight_map_t, face_direction_weight_map, face_direction_weight_map)\
+  CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)         \
   CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
   CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \

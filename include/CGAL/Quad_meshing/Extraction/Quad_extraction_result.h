@@ -35,6 +35,24 @@ enum class Quad_extraction_status
 /*!
  * \ingroup PkgQuadMeshingExtractionRef
  *
+ * \brief returns the name of a status in lower case, for instance `"not_simple"`.
+ */
+inline const char* status_name(Quad_extraction_status status)
+{
+  switch(status)
+  {
+    case Quad_extraction_status::VALID:      return "valid";
+    case Quad_extraction_status::NOT_SIMPLE: return "not_simple";
+    case Quad_extraction_status::REPAIRED:   return "repaired";
+    case Quad_extraction_status::FAILED:     return "failed";
+    case Quad_extraction_status::STOPPED:    return "stopped";
+  }
+  return "";
+}
+
+/*!
+ * \ingroup PkgQuadMeshingExtractionRef
+ *
  * \brief is the answer of `extract_quad_mesh()`.
  *
  * Faces of the triangle mesh are named by their index in the face index map.
@@ -55,7 +73,8 @@ struct Quad_extraction_result
   std::size_t irregular_vertices = 0;       ///< inner vertices of a valence other than 4
   std::size_t irregular_border_vertices = 0; ///< border vertices of a valence other than 3
   std::size_t multiple_edges = 0;           ///< edges that join the same vertices as an edge before, and loops
-  bool same_topology = false;               ///< whether Euler characteristic, components and border loops are those of the input
+  bool same_topology = false;               ///< whether the components have the Euler characteristics and border
+                                            ///  loops of those of the input
   /// @}
 
   /// \name The Map
@@ -84,6 +103,9 @@ struct Quad_extraction_result
   std::size_t dropped_faces = 0;            ///< closed faces too degenerate to keep
   std::size_t split_vertices = 0;           ///< grid points that became several vertices, to be manifold
   /// @}
+
+  /// returns whether the map is an integer-grid map and the mesh is what it stands for.
+  bool is_valid() const { return status == Quad_extraction_status::VALID; }
 
   /// returns whether a mesh was made and it is all quads.
   bool is_pure() const { return quads > 0 && other_faces == 0; }

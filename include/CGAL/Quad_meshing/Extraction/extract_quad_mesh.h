@@ -11,16 +11,23 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
-#include <CGAL/Quad_meshing/Extraction/internal/Quad_extractor.h>
+#include <CGAL/Quad_meshing/Extraction/internal/extract_quads.h>
+#include <CGAL/Quad_meshing/Extraction/internal/write_grid_graph.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/copy_corners.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/use.h>
 
-#include <array>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -87,9 +94,12 @@ namespace Quad_meshing {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return what was extracted, and what had to be done for it
+ * Where the faces around a vertex form several fans, as where two border loops touch, the map of each fan counts for itself: if
+ * the vertex lies on a grid point, the quad mesh has one vertex there for each fan.
  *
- * \pre `is_triangle_mesh(tm)`
+ * \return what was extracted, and what had to be done for it; `FAILED` if a face is no triangle
+ *
+ * \sa `transfer_feature_edges()`
  */
 template <typename TriangleMesh, typename HalfedgeUVMap, typename QuadMesh,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -109,34 +119,38 @@ extract_quad_mesh(const TriangleMesh& tm,
   typedef typename boost::property_map<QuadMesh, vertex_point_t>::type Quad_vpm;
   typedef typename boost::property_traits<Quad_vpm>::value_type Quad_point;
 
-  CGAL_precondition(is_triangle_mesh(tm));
-
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  auto vim = internal::vertex_numbers(tm, np);
-  auto fim = internal::face_numbers(tm, np);
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::vertex_point_t,
+    internal_np::vertex_index_t, internal_np::face_index_t, internal_np::face_location_map_t, internal_np::visitor_t>::value;
+  static_assert(takes_parameters, "extract_quad_mesh() does not take one of the named parameters.");
 
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
     Visitor_reference;
   Default_visitor default_visitor;
   Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
-  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, vpm, vim, fim);
-  internal::Grid_map map(mesh);
-  internal::copy_corners(tm, uv, fim, map);
+  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
 
   Quad_extraction_result result;
-  internal::Quad_extractor extractor(map, result);
-  if(!extractor.run(visitor))
+  if(!is_triangle_mesh(tm))
+  {
+    result.message = "The mesh has a face that is not a triangle.";
+    return result;
+  }
+  auto fim = internal::face_numbers(tm, np);
+  internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
+  internal::split_non_manifold_vertices(mesh);
+  internal::Extracted_quads quads;
+  if(!internal::extract_quads(mesh, internal::copy_corners(tm, uv, fim), any_visitor, quads, result))
     return result;
 
-  std::vector<face_descriptor> face_of_index(faces(tm).size());
+  std::vector<face_descriptor> face_of_index(mesh.number_of_faces());
   for(face_descriptor f : faces(tm))
     face_of_index[get(fim, f)] = f;
 
   Quad_vpm quad_vpm = get(vertex_point, qm);
   auto face_location_map = get_parameter(np, internal_np::face_location_map);
-  extractor.write(qm, [&](const internal::Grid_location& l)
+  internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm, [&](std::size_t i)
   {
+    const internal::Grid_location& l = quads.vertices[i];
     const quad_vertex_descriptor v = add_vertex(qm);
     const auto p = internal::position(mesh, l);
     put(quad_vpm, v, Quad_point(p.x(), p.y(), p.z()));

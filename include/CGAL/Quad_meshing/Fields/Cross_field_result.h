@@ -20,11 +20,17 @@ namespace Quad_meshing {
  */
 enum class Cross_field_method
 {
-  POLISHED, ///< a search over the period jumps with exact gains that starts from a smooth representation field (the default and the best)
-  GREEDY,   ///< the mixed-integer problem over a forest of dual trees, integers rounded one after the other, nearest first
-  DIRECT,   ///< the same problem, all integers rounded at once
-  NAIVE,    ///< as `GREEDY` with the exact solution of the system after every rounding: a yardstick
-  REPRESENTATION ///< the globally smoothest representation field, rounded, without a search: higher energy, more singularities, and often a less distorted integer-grid map
+  /// A search over the period jumps with exact gains that starts from a smooth representation field (the default and the best).
+  POLISHED,
+  /// The mixed-integer problem over a forest of dual trees, integers rounded one after the other, nearest first.
+  GREEDY,
+  /// The same problem, all integers rounded at once.
+  DIRECT,
+  /// As `GREEDY` with the exact solution of the system after every rounding: a yardstick.
+  NAIVE,
+  /// The globally smoothest representation field, rounded, without a search: higher energy, more singularities, and often a
+  /// less distorted integer-grid map.
+  REPRESENTATION
 };
 
 /*!
@@ -38,23 +44,27 @@ enum class Cross_field_status
   STOPPED,             ///< the visitor asked for an early end
   NOT_A_TRIANGLE_MESH, ///< a face has not three vertices
   POINT_NOT_FINITE,    ///< a coordinate is not a finite number
+  NON_MANIFOLD_VERTEX, ///< the faces around a vertex form more than one fan; the message says which vertex
   NUMERICAL_FAILURE    ///< a linear system could not be factorized
 };
 
-/// \ingroup PkgQuadMeshingFieldsRef
-/// \brief returns a sentence that describes a status.
-inline std::string get_message(Cross_field_status status)
+/*!
+ * \ingroup PkgQuadMeshingFieldsRef
+ * \brief returns the name of a status in lower case, for instance `"empty_sectors"`.
+ */
+inline const char* status_name(Cross_field_status status)
 {
   switch(status)
   {
-    case Cross_field_status::SUCCESS:             return "The cross field was computed.";
-    case Cross_field_status::EMPTY_SECTORS:       return "The cross field was computed, but a sector between two constrained edges has no room for a quad.";
-    case Cross_field_status::STOPPED:             return "The visitor stopped the computation of the cross field.";
-    case Cross_field_status::NOT_A_TRIANGLE_MESH: return "The mesh has a face that is not a triangle.";
-    case Cross_field_status::POINT_NOT_FINITE:    return "A vertex has a coordinate that is not a finite number.";
-    case Cross_field_status::NUMERICAL_FAILURE:   return "A linear system of the cross field could not be factorized.";
+    case Cross_field_status::SUCCESS:             return "success";
+    case Cross_field_status::EMPTY_SECTORS:       return "empty_sectors";
+    case Cross_field_status::STOPPED:             return "stopped";
+    case Cross_field_status::NOT_A_TRIANGLE_MESH: return "not_a_triangle_mesh";
+    case Cross_field_status::POINT_NOT_FINITE:    return "point_not_finite";
+    case Cross_field_status::NON_MANIFOLD_VERTEX: return "non_manifold_vertex";
+    case Cross_field_status::NUMERICAL_FAILURE:   return "numerical_failure";
   }
-  return std::string();
+  return "";
 }
 
 /*!
@@ -65,7 +75,7 @@ struct Cross_field_result
 {
   /// how it ended
   Cross_field_status status = Cross_field_status::SUCCESS;
-  /// the same as a sentence
+  /// the same as a sentence that names what is at fault
   std::string message;
   /// the smoothness energy, the sum of squared angle differences across inner edges
   double energy = 0;

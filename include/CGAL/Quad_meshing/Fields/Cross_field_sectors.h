@@ -48,7 +48,8 @@ public:
    * \param period_jump the period jumps of the field
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
    */
-  template <typename FaceAngleMap, typename EdgePeriodJumpMap, typename NamedParameters = parameters::Default_named_parameters>
+  template <typename FaceAngleMap, typename EdgePeriodJumpMap,
+            typename NamedParameters = parameters::Default_named_parameters>
   Cross_field_sectors(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump,
                       const NamedParameters& np = parameters::default_values())
     : m_graph(tm)
@@ -60,19 +61,14 @@ public:
     std::vector<double> angles;
     for(auto f : faces(tm))
       angles.push_back(get(angle, f));
-    int e = 0;
-    for(auto ed : edges(tm))
+    internal::for_each_edge_of_faces(tm, [&](auto ed, int e)
     {
-      if(is_border(halfedge(ed, tm), tm) && is_border(opposite(halfedge(ed, tm), tm), tm))
-        continue;
-      if(!m_mesh.is_border_edge(e))
-      {
-        const int h = m_mesh.halfedge_of_edge[e];
-        m_residual[e] = angles[h / 3] + m_frames.kappa(e) + internal::quarter_turn * get(period_jump, ed)
-                      - angles[m_mesh.opposite[h] / 3];
-      }
-      ++e;
-    }
+      if(m_mesh.is_border_edge(e))
+        return;
+      const int h = m_mesh.halfedge_of_edge[e];
+      m_residual[e] = angles[h / 3] + m_frames.kappa(e) + internal::quarter_turn * get(period_jump, ed)
+                    - angles[m_mesh.opposite[h] / 3];
+    });
   }
 
   /*!

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-constexpr double quarter_turn = 1.5707963267948966;
+constexpr double quarter_turn = CGAL_PI / 2;
 
 // The angles of one triangle in its frame, whose x-axis is the vector from corner 0 to corner 1.
 struct Triangle_angles

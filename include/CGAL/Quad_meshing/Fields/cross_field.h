@@ -12,9 +12,11 @@
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
-#include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 #include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
+#include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -24,7 +26,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
-#include <cmath>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -49,10 +51,12 @@ namespace Quad_meshing {
  * consists of a single face with two constrained edges and can therefore not be given one.
  *
  * The mesh may be closed or bounded, of any genus and of several components. Faces of zero
- * area are allowed. The result does not depend on anything but the input.
+ * area are allowed; a vertex around which the faces form several fans, as where two border loops touch, is not: the index of
+ * the field at such a vertex has no meaning. The result does not depend on anything but the input.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FaceAngleMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double` as value type
+ * \tparam FaceAngleMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double` as
+ *   value type
  * \tparam EdgePeriodJumpMap a model of `WritablePropertyMap` with the edge descriptor as key and `int` as value type
  * \tparam VertexSingularityMap a model of `WritablePropertyMap` with the vertex descriptor as key and `int` as value type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -84,15 +88,22 @@ namespace Quad_meshing {
  *     \cgalParamDescription{directions the field interpolates. They are projected to the planes of
  *       their faces. Faces next to constrained edges follow the edge.}
  *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and
- *       `boost::optional<Vector_3>` or a type like it as value type}
+ *       `std::optional<Vector_3>`, `boost::optional<Vector_3>` or a type like them as value type}
  *     \cgalParamDefault{no direction is given}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_direction_weight_map}
+ *     \cgalParamDescription{how much the directions count: the weight of the squared deviation, in radians, against the squared
+ *       differences across edges. With an infinite weight the direction is hard, with 0 or less it does not count. `GREEDY`, `DIRECT` and
+ *       `NAIVE` choose period jumps by the hard directions alone.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
+ *     \cgalParamDefault{all directions are hard}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_length}
- *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, vertices
- *       get three quads or more, if that is not too dear, singularities are kept
- *       off places that are closer than half of it to a constrained edge without being on it, if that costs little energy,
- *       and opposite singularities closer than that to each other annihilate each other, unless one lies on a
- *       constrained edge: no grid with such quads has room for both.}
+ *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, inner vertices
+ *       get three quads or more, where others can spare one, and opposite singularities closer to each other than half of it
+ *       annihilate each other, unless one lies on a constrained edge: no grid with such quads has room for both. With
+ *       `Cross_field_method::POLISHED`, and only there, singularities are also kept off places that are closer than half of it
+ *       to a constrained edge without being on it, if that costs little energy.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{only the smoothness counts: singularities may be anywhere and have any index}
  *   \cgalParamNEnd
@@ -102,8 +113,9 @@ namespace Quad_meshing {
  *     \cgalParamDefault{`Cross_field_method::POLISHED`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_bound_rounds}
- *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes of at most a few hundred triangles:
- *       six take some seconds with 100 integers, and each step takes time cubic in them. See `solve_mixed_integer()`.}
+ *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes of
+ *       at most a few hundred triangles: six take some seconds with 100 integers, and each step takes time cubic in them. See
+ *       `solve_mixed_integer()`.}
  *     \cgalParamType{`int`}
  *     \cgalParamDefault{`0`}
  *   \cgalParamNEnd
@@ -131,6 +143,7 @@ namespace Quad_meshing {
  * was written to the maps.
  *
  * \sa `cross_field_direction()`
+ * \sa `cross_field_indices()`
  */
 template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -149,7 +162,20 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
     Edge_is_constrained_map;
   typedef typename internal_np::Lookup_named_param_def<internal_np::face_direction_map_t, NamedParameters,
                                                        internal::No_face_direction<face_descriptor> >::type Face_direction_map;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference Visitor_reference;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+    Visitor_reference;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
+    internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
+    internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t, internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t,
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  constexpr bool has_direction_map =
+    internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
+  static_assert(has_direction_map, "face_direction_map must give an optional vector for every face of the triangle mesh.");
 
   const Edge_is_constrained_map constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
   const Face_direction_map direction =
@@ -166,37 +192,40 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   Real_timer timer;
   timer.start();
   Cross_field_result result;
-  auto finish = [&](Cross_field_status status)
+  auto finish = [&](Cross_field_status status, const std::string& message)
   {
     result.status = status;
-    result.message = get_message(status);
+    result.message = message;
     result.seconds = timer.time();
     return result;
   };
 
   if(!is_triangle_mesh(tm))
-    return finish(Cross_field_status::NOT_A_TRIANGLE_MESH);
+    return finish(Cross_field_status::NOT_A_TRIANGLE_MESH, "The mesh has a face that is not a triangle.");
 
   const auto fim = internal::face_numbers(tm, np);
   const auto vim = internal::vertex_numbers(tm, np);
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, vpm, vim, fim);
-  for(const auto& p : mesh.points)
-    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      return finish(Cross_field_status::POINT_NOT_FINITE);
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(!internal::is_finite(mesh.points[v]))
+      return finish(Cross_field_status::POINT_NOT_FINITE,
+                    "Vertex " + std::to_string(v) + " has a coordinate that is not a finite number.");
+  if(mesh.non_manifold_vertex != -1)
+    return finish(Cross_field_status::NON_MANIFOLD_VERTEX, internal::non_manifold_message(mesh));
 
   internal::Field_problem problem(mesh);
-  int e = 0;
-  for(auto ed : edges(tm))
+  internal::for_each_edge_of_faces(tm, [&](edge_descriptor ed, int e)
   {
-    if(is_border(halfedge(ed, tm), tm) && is_border(opposite(halfedge(ed, tm), tm), tm))
-      continue;
     problem.aligned[e] = get(constrained, ed) || (align_boundary && problem.mesh.is_border_edge(e));
-    ++e;
-  }
+  });
   problem.constrain_faces_to_aligned_edges();
   for(auto f : faces(tm))
-    internal::constrain_face(problem, static_cast<int>(get(fim, f)), get(direction, f));
+  {
+    double weight = (std::numeric_limits<double>::infinity)();
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_direction_weight_map_t>::value)
+      weight = to_double(get(get_parameter(np, internal_np::face_direction_weight_map), f));
+    internal::constrain_face(problem, static_cast<int>(get(fim, f)), get(direction, f), weight);
+  }
   problem.find_components();
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 
@@ -204,18 +233,20 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
   const Cross_field_status status = internal::solve_field(problem, options, any_visitor, field, result);
   if(status != Cross_field_status::SUCCESS && status != Cross_field_status::EMPTY_SECTORS)
-    return finish(status);
+    return finish(status, status == Cross_field_status::STOPPED
+                            ? "The visitor stopped the computation of the cross field."
+                            : "A linear system of the cross field could not be factorized.");
 
   for(auto f : faces(tm))
     put(angle, f, field.angle[get(fim, f)]);
-  e = 0;
-  for(auto ed : edges(tm))
+  for(edge_descriptor ed : edges(tm))
+    if(is_border(ed, tm))
+      put(period_jump, ed, 0);
+  internal::for_each_edge_of_faces(tm, [&](edge_descriptor ed, int e)
   {
-    const bool inner = !is_border(ed, tm);
-    const bool present = inner || !is_border(halfedge(ed, tm), tm) || !is_border(opposite(halfedge(ed, tm), tm), tm);
-    put(period_jump, ed, inner ? field.period_jump[e] : 0);
-    e += present;
-  }
+    if(!mesh.is_border_edge(e))
+      put(period_jump, ed, field.period_jump[e]);
+  });
   const std::vector<int> indices = internal::field_indices(problem, field);
   for(auto v : vertices(tm))
   {
@@ -224,7 +255,10 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
     result.singularities += i != 0;
     result.index_sum += i;
   }
-  return finish(status);
+  if(status == Cross_field_status::EMPTY_SECTORS)
+    return finish(status, "The cross field was computed, but " + std::to_string(result.empty_sectors) +
+                          " sectors between two constrained edges have no room for a quad.");
+  return finish(status, "The cross field was computed.");
 }
 
 } // namespace Quad_meshing

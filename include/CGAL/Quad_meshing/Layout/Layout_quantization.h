@@ -95,10 +95,11 @@ public:
 
   // Shortens arcs until they have about their original length divided by `scale`, as far as that does not
   // merge what must stay apart; the one that is too long by most comes first.
-  void shorten(double scale)
+  template <typename GoFurther>
+  void shorten(double scale, const GoFurther& go_further)
   {
     std::vector<char> has_failed(length.size(), 0);
-    for(;;)
+    while(go_further())
     {
       int worst = -1;
       double worst_excess = 0.5;

@@ -10,22 +10,28 @@
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTEGER_GRID_MAP_H
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
+#include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/solve_grid_map.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,55 +40,10 @@ namespace Quad_meshing {
 /*!
 \ingroup PkgQuadMeshingParameterizationRef
 
-\brief The answer of `integer_grid_map()`.
-*/
-struct Integer_grid_map_result
-{
-  /// How it ended.
-  enum Status
-  {
-    VALID = 0,          ///< the map is an integer-grid map, exactly
-    FOLDED,             ///< all transitions, grid points and grid lines are exact, but some triangles are folded over
-    EMPTY_MESH,         ///< there are no faces; nothing was written
-    INVALID_LENGTH,     ///< the target edge length is not a positive number; nothing was written
-    NUMERICAL_FAILURE,  ///< the energy could not be factorized; nothing was written
-    STOPPED             ///< the visitor asked for an early end; nothing was written
-  };
-
-  Status status = NUMERICAL_FAILURE;
-  /// The same as a sentence.
-  std::string message;
-  /// The number of variables after all linear conditions were eliminated.
-  int variables = 0;
-  /// How many of them are integers.
-  int integers = 0;
-  /// The orientation energy of the least map without integer conditions, in units of quads.
-  double relaxed_energy = 0;
-  /// The orientation energy with the integers that were chosen, before fold-overs were removed.
-  double energy = 0;
-  /// Pairs of grid points and grid lines that lie so near to each other that their order was watched in the rounding.
-  int separations = 0;
-  /// Such pairs that could not be kept in order.
-  int broken_separations = 0;
-  /// Faces that are folded or have no area, by their index in the face index map, ascending.
-  std::vector<std::size_t> folded_faces;
-  /// Those that were folded already in the map without integer conditions: if there are some, the field and the constrained edges
-  /// leave no room there, whatever the integers.
-  std::vector<std::size_t> folded_before_rounding;
-  /// The wall-clock time.
-  double seconds = 0;
-
-  /// Whether the map is an integer-grid map.
-  bool is_valid() const { return status == VALID; }
-};
-
-/*!
-\ingroup PkgQuadMeshingParameterizationRef
-
 \brief computes an integer-grid map that follows a cross field.
 
 The mesh is cut to disks through all singular vertices, the field is combed over them, and the map is sought whose
-gradients are nearest to the combed directions, divided by the target edge length (thesis, Section 8.4). Singular vertices have to
+gradients are nearest to the combed directions, divided by the target edge length [Bom12, 8.4]. Singular vertices have to
 lie on grid points, constrained edges and border edges on grid lines, and the transitions across cuts have to be
 grid automorphisms. All these linear conditions are eliminated in integer arithmetic before anything is optimized. Then
 
@@ -104,8 +65,10 @@ guarantee to find such a map: if integers leave no room for one, the result is `
         that can be constructed from two `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the triangle mesh; a triangle with two constrained edges cannot be mapped without being folded, see `split_for_alignment()`
-\param angle, period_jump, index the cross field as `smooth_cross_field()` writes it, aligned with the constrained edges
+\param tm the triangle mesh; a triangle with two constrained edges cannot be mapped without being folded, see
+       `split_for_alignment()`
+\param angle, period_jump, index the cross field as `smooth_cross_field()` writes it, aligned with the constrained edges; see
+       `check_cross_field()` for one that was edited
 \param uv receives the map: for each halfedge that is no border halfedge, the image of its target in the chart of its face
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -136,13 +99,13 @@ guarantee to find such a map: if integers leave no room for one, the result is `
     \cgalParamDefault{`Rounding_method::GREEDY`}
   \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
-    \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1] (thesis, "Anisotropic norm")}
+    \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1] [Bom12, 8.4, "Anisotropic norm"]}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{stiffening_iterations}
     \cgalParamDescription{the largest number of times that the energy is weighted anew where triangles are distorted
-                          (thesis, "Local stiffening"), as long as there are folded ones}
+                          [Bom12, 8.4, "Local stiffening"], as long as there are folded ones}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{5}
   \cgalParamNEnd
@@ -178,14 +141,27 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef Integer_grid_map_result Result;
+  typedef Integer_grid_map_status Status;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+    Visitor_reference;
 
-  CGAL_precondition(is_triangle_mesh(tm));
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
+    internal_np::target_edge_length_t, internal_np::face_sizing_map_t, internal_np::edge_is_constrained_t,
+    internal_np::align_boundary_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
+    internal_np::stiffening_iterations_t, internal_np::number_of_threads_t, internal_np::visitor_t,
+    internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "integer_grid_map() does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  constexpr bool has_sizing_map =
+    internal::map_parameter_is_readable<internal_np::face_sizing_map_t, NamedParameters, face_descriptor, double>();
+  static_assert(has_sizing_map, "face_sizing_map must give a number for every face of the triangle mesh.");
 
   Real_timer timer;
   timer.start();
-  Result result;
-  auto finished = [&](typename Result::Status status, const std::string& message)
+  Integer_grid_map_result result;
+  auto finished = [&](Status status, const std::string& message)
   {
     result.status = status;
     result.message = message;
@@ -193,28 +169,33 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
     return result;
   };
 
+  internal::Grid_map_options options;
+  options.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), options.rounding_method);
+  options.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), options.anisotropy_weight);
+  options.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), options.number_of_threads);
+  options.stiffening_iterations = choose_parameter(get_parameter(np, internal_np::stiffening_iterations),
+                                                   options.stiffening_iterations);
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
-  const Rounding_method method =
-      choose_parameter(get_parameter(np, internal_np::rounding_method), Rounding_method::GREEDY);
-  const double anisotropy = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), 1.);
-  const unsigned int threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), 1u);
-  const unsigned int stiffening = choose_parameter(get_parameter(np, internal_np::stiffening_iterations), 5u);
   auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                          Static_boolean_property_map<edge_descriptor, false>());
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  auto vim = internal::vertex_numbers(tm, np);
-  auto fim = internal::face_numbers(tm, np);
+  const auto vim = internal::vertex_numbers(tm, np);
+  const auto fim = internal::face_numbers(tm, np);
   Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
-  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, vpm, vim, fim);
+  if(!is_triangle_mesh(tm))
+    return finished(Status::NOT_A_TRIANGLE_MESH, "The mesh has a face that is not a triangle.");
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
   if(mesh.number_of_faces() == 0)
-    return finished(Result::EMPTY_MESH, "The mesh has no faces.");
+    return finished(Status::EMPTY_MESH, "The mesh has no faces.");
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(!internal::is_finite(mesh.points[v]))
+      return finished(Status::VALUE_NOT_FINITE,
+                      "Vertex " + std::to_string(v) + " has a coordinate that is not a finite number.");
+  if(mesh.non_manifold_vertex != -1)
+    return finished(Status::NON_MANIFOLD_VERTEX, internal::non_manifold_message(mesh));
 
-  std::vector<double> face_angle(mesh.number_of_faces()), sizing(mesh.number_of_faces());
-  std::vector<int> edge_jump(mesh.number_of_edges());
-  std::vector<int> quarters(mesh.number_of_vertices());
-  std::vector<bool> is_aligned(mesh.number_of_edges());
+  internal::Grid_map_problem problem(mesh);
   std::vector<halfedge_descriptor> first_halfedge(mesh.number_of_faces());
   double length = 0;
   if(is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value)
@@ -227,84 +208,48 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   for(face_descriptor f : faces(tm))
   {
     const std::size_t i = get(fim, f);
-    face_angle[i] = get(angle, f);
+    problem.angle[i] = get(angle, f);
+    if(!std::isfinite(problem.angle[i]))
+      return finished(Status::VALUE_NOT_FINITE, "The angle of face " + std::to_string(i) + " is not a finite number.");
     first_halfedge[i] = halfedge(f, tm);
     if constexpr(is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
-      sizing[i] = length;
+      problem.sizing[i] = length;
     else
-      sizing[i] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
-    if(!(sizing[i] > 0) || !std::isfinite(sizing[i]))
-      return finished(Result::INVALID_LENGTH, "The target edge length is not a positive number.");
+      problem.sizing[i] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
+    if(!(problem.sizing[i] > 0) || !std::isfinite(problem.sizing[i]))
+      return finished(Status::INVALID_LENGTH, "The target edge length is not a positive number.");
   }
-  int e_index = 0;
-  for(edge_descriptor e : edges(tm))
+  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i)
   {
-    if(is_border(halfedge(e, tm), tm) && is_border(opposite(halfedge(e, tm), tm), tm))
-      continue; // as make_indexed_triangle_mesh() numbers edges
-    edge_jump[e_index] = get(period_jump, e);
-    is_aligned[e_index] = get(is_constrained, e) || (align_boundary && is_border(e, tm));
-    ++e_index;
-  }
+    problem.period_jump[i] = get(period_jump, e);
+    problem.is_aligned[i] = get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
+  });
   for(auto v : vertices(tm))
   {
-    const bool on_border = static_cast<bool>(is_border(v, tm));
-    quarters[get(vim, v)] = !on_border ? 4 - get(index, v) : align_boundary ? 2 - get(index, v) : -1;
+    const int i = static_cast<int>(get(vim, v)), h = mesh.halfedge_of_vertex[i];
+    const bool on_border = h != -1 && mesh.opposite[h] == -1;
+    problem.quarters[i] = !on_border ? 4 - get(index, v) : align_boundary ? 2 - get(index, v) : -1;
   }
 
-  visitor.on_stage_begin("parameterization");
-  auto stopped = [&]()
-  {
-    if(visitor.go_further())
-      return false;
-    visitor.on_stage_end("parameterization");
-    finished(Result::STOPPED, "The visitor stopped the parameterization.");
-    return true;
-  };
-
-  internal::Integer_grid_solver solver(mesh, face_angle, edge_jump, quarters, is_aligned, sizing, threads);
-  result.variables = solver.coordinates.number_of_variables();
-  result.integers = solver.number_of_integers();
-  if(stopped())
-    return result;
-  if(!solver.solve_seamless(anisotropy, stiffening))
-  {
-    visitor.on_stage_end("parameterization");
-    return finished(Result::NUMERICAL_FAILURE, "The energy of the parameterization could not be factorized.");
-  }
-  visitor.progress(0.5);
-  if(stopped())
-    return result;
-  solver.round(method, is_aligned);
-  visitor.progress(0.7);
-  if(stopped())
-    return result;
-  solver.remove_fold_overs(stiffening, anisotropy);
-  solver.make_exact();
-  visitor.progress(1);
-  visitor.on_stage_end("parameterization");
-
-  result.relaxed_energy = solver.relaxed_energy;
-  result.energy = solver.rounded_energy;
-  result.separations = solver.number_of_separations;
-  result.broken_separations = solver.number_of_broken_separations;
-  for(int f : solver.folded_faces())
-    result.folded_faces.push_back(f);
-  result.folded_before_rounding.assign(solver.folded_before_rounding.begin(), solver.folded_before_rounding.end());
+  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  std::vector<std::array<double, 2> > corner;
+  const Status status = internal::solve_grid_map(problem, options, any_visitor, corner, result);
+  if(status == Status::STOPPED)
+    return finished(status, "The visitor stopped the parameterization.");
+  if(status == Status::NUMERICAL_FAILURE)
+    return finished(status, "The energy of the parameterization could not be factorized.");
 
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type UV_point;
   for(int f = 0; f < mesh.number_of_faces(); ++f)
   {
     halfedge_descriptor h = first_halfedge[f]; // its source is corner 0
     for(int k = 1; k <= 3; ++k, h = next(h, tm))
-    {
-      const auto p = solver.corner(f, k % 3);
-      put(uv, h, UV_point(p.x(), p.y()));
-    }
+      put(uv, h, UV_point(corner[3 * f + k % 3][0], corner[3 * f + k % 3][1]));
   }
-  if(result.folded_faces.empty())
-    return finished(Result::VALID, "The map is an integer-grid map.");
-  return finished(Result::FOLDED, std::to_string(result.folded_faces.size()) + " of " +
-                                  std::to_string(mesh.number_of_faces()) + " triangles of the map are folded over.");
+  if(status == Status::VALID)
+    return finished(status, "The map is an integer-grid map.");
+  return finished(status, std::to_string(result.folded_faces.size()) + " of " + std::to_string(mesh.number_of_faces()) +
+                          " triangles of the map are folded over.");
 }
 
 } // namespace Quad_meshing

@@ -9,18 +9,21 @@
 #ifndef CGAL_QUAD_MESHING_PARAMETERIZATION_IS_INTEGER_GRID_MAP_H
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_IS_INTEGER_GRID_MAP_H
 
-#include <CGAL/Quad_meshing/internal/Grid_automorphism.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/check_grid_map.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/copy_corners.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -62,11 +65,11 @@ struct Integer_grid_map_report
   /// \copydoc is_valid()
   explicit operator bool() const { return is_valid(); }
 
-  /// One sentence.
+  /// The same as a sentence.
   std::string message() const
   {
     if(is_valid())
-      return "the map is an integer-grid map";
+      return "The map is an integer-grid map.";
     std::string s;
     auto add = [&s](std::size_t n, const char* what)
     {
@@ -78,7 +81,7 @@ struct Integer_grid_map_report
     add(edges_without_transition.size(), "edges without a grid automorphism across");
     add(vertices_off_grid.size(), "singular vertices off the grid points");
     add(edges_off_grid.size(), "aligned edges off the grid lines");
-    return s;
+    return "The map has " + s + ".";
   }
 };
 
@@ -87,7 +90,7 @@ struct Integer_grid_map_report
 
 \brief tells, exactly, whether a map is an integer-grid map.
 
-The three conditions are those of the thesis, Chapter 6: the transition across every edge is a rotation by a multiple of
+The three conditions are those of [Bom12, 6]: the transition across every edge is a rotation by a multiple of
 90 degrees and an integer translation; every singular vertex lies on a grid point; every triangle is positively
 oriented. Edges in `edge_is_constrained_map`, and border edges unless `align_boundary` is `false`, must moreover lie on
 integer grid lines. Nothing is compared with a tolerance.
@@ -95,7 +98,8 @@ integer grid lines. Nothing is compared with a tolerance.
 A vertex inside the surface is singular if the number of grid directions that leave it is not four.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with the halfedges as keys and a two-dimensional point over `double` as value type
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with the halfedges as keys and a two-dimensional point over `double` as
+        value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
@@ -113,9 +117,19 @@ A vertex inside the surface is singular if the number of grid directions that le
     \cgalParamType{a model of `ReadablePropertyMap` with value type `bool`}
     \cgalParamDefault{no edge}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{consecutive numbers of the vertices from 0}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{consecutive numbers of the faces from 0}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the report, which converts to `bool`
+\return the report, which converts to `bool`; the simplices are in the order of their numbers
+
+\pre `is_triangle_mesh(tm)`
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -127,79 +141,51 @@ is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParamet
 
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::align_boundary_t,
+    internal_np::edge_is_constrained_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
+    internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "is_integer_grid_map() does not take one of the named parameters.");
+  constexpr bool has_edge_map =
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+
+  CGAL_precondition(is_triangle_mesh(tm));
 
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
   auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                          Static_boolean_property_map<edge_descriptor, false>());
-
-  auto image = [&](halfedge_descriptor h)
+  const auto vim = internal::vertex_numbers(tm, np);
+  const auto fim = internal::face_numbers(tm, np);
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
+  std::vector<bool> is_aligned(mesh.number_of_edges());
+  std::vector<edge_descriptor> edge_of_number(mesh.number_of_edges());
+  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i)
   {
-    const auto& p = get(uv, h);
-    return Point_2(to_double(p.x()), to_double(p.y()));
-  };
-  auto is_integer = [](double a) { return a == std::floor(a); };
-
-  Integer_grid_map_report<TriangleMesh> report;
-
-  for(face_descriptor f : faces(tm))
-  {
-    const halfedge_descriptor h = halfedge(f, tm);
-    const Point_2 a = image(h), b = image(next(h, tm)), c = image(prev(h, tm));
-    bool finite = true;
-    for(const Point_2& p : { a, b, c })
-      finite = finite && std::isfinite(p.x()) && std::isfinite(p.y());
-    if(!finite)
-      report.faces_not_finite.push_back(f);
-    else if(orientation(a, b, c) != LEFT_TURN)
-      report.folded_faces.push_back(f);
-  }
-  if(!report.faces_not_finite.empty())
-    return report; // no other question makes sense
-
-  for(edge_descriptor e : edges(tm))
-  {
-    const halfedge_descriptor h = halfedge(e, tm), o = opposite(h, tm);
-    if(!is_border(h, tm) && !is_border(o, tm))
-    {
-      internal::Grid_automorphism g;
-      if(internal::recover_grid_automorphism(image(prev(h, tm)), image(h), image(o), image(prev(o, tm)), g) !=
-         internal::Transition_kind::EXACT)
-        report.edges_without_transition.push_back(e);
-    }
-    if(get(is_constrained, e) || (align_boundary && is_border(e, tm)))
-    {
-      const halfedge_descriptor i = is_border(h, tm) ? o : h;
-      if(is_border(i, tm))
-        continue;
-      const Point_2 a = image(prev(i, tm)), b = image(i);
-      if(!(a.x() == b.x() && is_integer(a.x())) && !(a.y() == b.y() && is_integer(a.y())))
-        report.edges_off_grid.push_back(e);
-    }
-  }
-
+    edge_of_number[i] = e;
+    is_aligned[i] = get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
+  });
+  std::vector<vertex_descriptor> vertex_of_number(mesh.number_of_vertices());
   for(vertex_descriptor v : vertices(tm))
+    vertex_of_number[get(vim, v)] = v;
+  std::vector<face_descriptor> face_of_number(mesh.number_of_faces());
+  for(face_descriptor f : faces(tm))
+    face_of_number[get(fim, f)] = f;
+
+  const internal::Grid_map_defects defects = internal::check_grid_map(mesh, internal::copy_corners(tm, uv, fim), is_aligned);
+  Integer_grid_map_report<TriangleMesh> report;
+  auto translate = [](const std::vector<int>& numbers, const auto& descriptor_of, auto& descriptors)
   {
-    if(halfedge(v, tm) == Graph_traits::null_halfedge() || is_border(v, tm))
-      continue;
-    // A grid direction d leaves v in the corner between a and b, counted with the side of a, if a x d >= 0 < d x b.
-    int directions = 0;
-    bool on_grid = true, folded = false;
-    for(halfedge_descriptor h : halfedges_around_target(v, tm))
-    {
-      const Point_2 p = image(h), q = image(next(h, tm)), r = image(prev(h, tm));
-      on_grid = on_grid && is_integer(p.x()) && is_integer(p.y());
-      folded = folded || orientation(p, q, r) != LEFT_TURN;
-      const double ax = q.x() - p.x(), ay = q.y() - p.y(), bx = r.x() - p.x(), by = r.y() - p.y();
-      // cross products with (1,0), (0,1), (-1,0), (0,-1); differences of doubles have the right sign
-      directions += (-ay >= 0 && by > 0) + (ax >= 0 && -bx > 0) + (ay >= 0 && -by > 0) + (-ax >= 0 && bx > 0);
-    }
-    if(!folded && directions != 4 && !on_grid)
-      report.vertices_off_grid.push_back(v);
-  }
+    for(int i : numbers)
+      descriptors.push_back(descriptor_of[i]);
+  };
+  translate(defects.faces_not_finite, face_of_number, report.faces_not_finite);
+  translate(defects.folded_faces, face_of_number, report.folded_faces);
+  translate(defects.edges_without_transition, edge_of_number, report.edges_without_transition);
+  translate(defects.edges_off_grid, edge_of_number, report.edges_off_grid);
+  translate(defects.vertices_off_grid, vertex_of_number, report.vertices_off_grid);
   return report;
 }
 

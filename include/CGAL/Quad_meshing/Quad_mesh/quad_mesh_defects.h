@@ -9,13 +9,12 @@
 #ifndef CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H
 #define CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H
 
+#include <CGAL/Quad_meshing/internal/compiled_kernels.h>
+
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -64,6 +63,21 @@ struct Quad_mesh_defects
   }
 };
 
+namespace internal {
+
+// Points and polygons in flat arrays.
+struct Flat_polygons
+{
+  std::size_t number_of_points = 0;
+  std::size_t invalid_coordinates = 0;                  // points with a coordinate that is not finite
+  std::vector<std::size_t> vertex_of_corner;
+  std::vector<std::size_t> first_corner = { 0 };        // per polygon, and the number of corners at the end
+};
+
+CGAL_QUAD_MESHING_INLINE Quad_mesh_defects defects_of_polygons(const Flat_polygons& polygons);
+
+} // namespace internal
+
 /*!
  * \ingroup PkgQuadMeshingStructureRef
  *
@@ -81,95 +95,25 @@ struct Quad_mesh_defects
 template <typename PointRange, typename PolygonRange>
 Quad_mesh_defects find_quad_mesh_defects(const PointRange& points, const PolygonRange& polygons)
 {
-  Quad_mesh_defects d;
-  const std::size_t n = points.size();
+  internal::Flat_polygons flat;
+  flat.number_of_points = points.size();
   for(const auto& p : points)
     if(!is_finite(to_double(p.x())) || !is_finite(to_double(p.y())) || !is_finite(to_double(p.z())))
-      ++d.invalid_coordinates;
-
-  // sides as (smaller end, larger end), and whether they run from the smaller to the larger
-  struct Side
-  {
-    std::size_t low, high, face, corner;
-    bool is_ascending;
-    bool operator<(const Side& s) const
-    {
-      return low != s.low ? low < s.low : high != s.high ? high < s.high : face != s.face ? face < s.face : corner < s.corner;
-    }
-  };
-  std::vector<Side> sides;
-  std::vector<std::size_t> first_corner;            // per face, and the number of corners at the end
-  std::vector<std::size_t> vertex_of_corner;
+      ++flat.invalid_coordinates;
   for(const auto& polygon : polygons)
   {
-    const std::size_t degree = polygon.size();
-    d.faces_not_quads += degree != 4;
-    first_corner.push_back(vertex_of_corner.size());
-    std::set<std::size_t> distinct;
-    bool usable = true;
     for(const auto& v : polygon)
-    {
-      vertex_of_corner.push_back(static_cast<std::size_t>(v));
-      distinct.insert(static_cast<std::size_t>(v));
-      if(static_cast<std::size_t>(v) >= n)
-      {
-        ++d.invalid_indices;
-        usable = false;
-      }
-    }
-    d.faces_repeating_vertices += distinct.size() < degree;
-    for(std::size_t k = 0; usable && k < degree; ++k)
-    {
-      const std::size_t v = vertex_of_corner[first_corner.back() + k];
-      const std::size_t w = vertex_of_corner[first_corner.back() + (k + 1) % degree];
-      sides.push_back(Side{ (std::min)(v, w), (std::max)(v, w), d.faces, first_corner.back() + k, v < w });
-    }
-    ++d.faces;
+      flat.vertex_of_corner.push_back(static_cast<std::size_t>(v));
+    flat.first_corner.push_back(flat.vertex_of_corner.size());
   }
-  first_corner.push_back(vertex_of_corner.size());
-  if(d.invalid_indices > 0)
-    return d;
-
-  // Corners of one vertex are joined over shared sides: one set of corners per fan.
-  std::vector<std::size_t> fan(vertex_of_corner.size());
-  for(std::size_t c = 0; c < fan.size(); ++c)
-    fan[c] = c;
-  auto find = [&](std::size_t c)
-  {
-    while(fan[c] != c)
-      c = fan[c] = fan[fan[c]];
-    return c;
-  };
-  std::sort(sides.begin(), sides.end());
-  for(std::size_t i = 0, j; i < sides.size(); i = j)
-  {
-    for(j = i + 1; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {}
-    d.non_manifold_edges += j - i > 2;
-    d.inconsistent_edges += j - i == 2 && sides[i].is_ascending == sides[i + 1].is_ascending;
-    for(std::size_t k = i + 1; k < j; ++k)
-    {
-      auto behind = [&](const Side& s)
-      {
-        return s.corner + 1 == first_corner[s.face + 1] ? first_corner[s.face] : s.corner + 1;
-      };
-      const std::size_t a[2] = { sides[i].corner, behind(sides[i]) }, b[2] = { sides[k].corner, behind(sides[k]) };
-      const bool same = sides[i].is_ascending == sides[k].is_ascending;
-      for(int e = 0; e < 2; ++e)
-        fan[find(a[e])] = find(b[same ? e : 1 - e]);
-    }
-  }
-  std::vector<std::size_t> number_of_fans(n, 0);
-  for(std::size_t c = 0; c < fan.size(); ++c)
-    number_of_fans[vertex_of_corner[c]] += find(c) == c;
-  for(std::size_t k : number_of_fans)
-  {
-    d.isolated_vertices += k == 0;
-    d.non_manifold_vertices += k > 1;
-  }
-  return d;
+  return internal::defects_of_polygons(flat);
 }
 
 } // namespace Quad_meshing
 } // namespace CGAL
+
+#ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
+#  include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_defects_impl.h>
+#endif
 
 #endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H

@@ -9,19 +9,15 @@
 #ifndef CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H
 #define CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H
 
-#include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
-#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
-#include <CGAL/Quad_meshing/internal/Dual_lines.h>
-#include <CGAL/Quad_meshing/internal/Helix_detection.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
-#include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
 
-#include <algorithm>
-#include <cstdlib>
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -156,80 +152,27 @@ struct Quad_helix
 
 namespace internal {
 
-inline Quad_mesh_structure structure_of_quad_mesh(const Indexed_quad_mesh& m)
+CGAL_QUAD_MESHING_INLINE Quad_mesh_structure structure_of_quad_mesh(const Indexed_quad_mesh& m);
+
+// The base complex of a mesh: the halfedges on it, and the patch of each face.
+struct Base_complex_of_quad_mesh
 {
-  Quad_mesh_structure s;
-  const int nh = m.number_of_halfedges();
-  s.number_of_quads = m.corners.size();
-  Disjoint_sets components(m.number_of_vertices()), loops(m.number_of_vertices());
-  for(int h = 0; h < nh; ++h)
-  {
-    s.number_of_edges += m.edge(h) == h;
-    components.join(m.source(h), m.target(h));
-    if(m.is_border(h))
-      loops.join(m.source(h), m.target(h));
-  }
-  for(int v = 0; v < m.number_of_vertices(); ++v)
-  {
-    const int valence = m.valence(v);
-    if(valence == 0)
-      continue;
-    ++s.number_of_vertices;
-    s.number_of_components += components.smallest(v) == v;
-    const bool on_border = m.is_border_vertex(v);
-    s.number_of_boundary_loops += on_border && loops.smallest(v) == v;
-    const int index = (on_border ? 3 : 4) - valence;
-    s.sum_of_indices += index;
-    if(index != 0)
-    {
-      ++s.number_of_irregular_vertices;
-      ++(on_border ? s.boundary_valences : s.inner_valences)[valence];
-    }
-  }
-  s.euler_characteristic = static_cast<int>(s.number_of_vertices) - static_cast<int>(s.number_of_edges)
-                         + static_cast<int>(s.number_of_quads);
+  std::vector<char> is_separatrix;
+  std::vector<int> patch;
+  int number_of_patches = 0;
+};
 
-  const Dual_lines lines(m);
-  std::vector<char> crosses_itself(lines.number_of_lines(), 0);
-  for(int f = 0; f < m.number_of_faces(); ++f)
-  {
-    const int a = lines.line[4 * f], b = lines.line[4 * f + 1];
-    if(a == b || a == lines.reverse[b])
-    {
-      ++s.number_of_self_intersections;
-      crosses_itself[(std::min)(a, lines.reverse[a])] = 1;
-    }
-  }
-  for(int l = 0; l < lines.number_of_lines(); ++l)
-    if(lines.is_representative(l))
-    {
-      ++s.number_of_dual_curves;
-      s.number_of_closed_dual_curves += lines.is_closed[l];
-      s.number_of_self_intersecting_dual_curves += crosses_itself[l];
-      s.longest_dual_curve = (std::max)(s.longest_dual_curve, std::size_t(lines.length[l]));
-    }
-  const Parallel_classes classes = make_parallel_classes(m, lines);
-  s.number_of_parallel_classes = classes.number_of_classes;
-  s.number_of_representative_crossings = number_of_representative_crossings(m, lines, classes);
+CGAL_QUAD_MESHING_INLINE Base_complex_of_quad_mesh base_complex_of_quad_mesh(const Indexed_quad_mesh& m);
 
-  const Base_complex_arrays bc = make_base_complex(m);
-  s.number_of_patches = bc.number_of_patches;
-  s.number_of_nodes = bc.number_of_nodes;
-  s.number_of_arcs = bc.number_of_arcs;
-  for(int corners : bc.corners_of_patch)
-    s.number_of_patches_not_rectangular += corners != 4;
+// A minimal q-helix: its first dual edge as a halfedge, and what `Quad_helix` says about it.
+struct Helix_of_quad_mesh
+{
+  int first;
+  int pitch, turn_length, length;
+};
 
-  const std::vector<Side_relation> relation = side_relations(m, lines);
-  const std::vector<Helix_record> helices = minimal_helices(m, lines, relation);
-  s.number_of_helices = helices.size();
-  s.number_of_helices_with_crossings = minimal_helices(m, lines, relation, true).size();
-  for(const Helix_record& h : helices)
-  {
-    s.smallest_pitch = s.smallest_pitch == 0 ? std::abs(h.pitch) : (std::min)(s.smallest_pitch, std::abs(h.pitch));
-    s.largest_winding_number = (std::max)(s.largest_winding_number, double(h.length) / h.turn_length);
-  }
-  return s;
-}
+// All minimal q-helices, by decreasing winding number.
+CGAL_QUAD_MESHING_INLINE std::vector<Helix_of_quad_mesh> helices_of_quad_mesh(const Indexed_quad_mesh& m);
 
 // The flat copy of a mesh for purely topological questions.
 template <typename QuadMesh>
@@ -237,9 +180,7 @@ Indexed_quad_mesh_copy<QuadMesh> make_indexed_quad_mesh(const QuadMesh& qm)
 {
   typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
   return make_indexed_quad_mesh(qm, get(vertex_point, qm), Static_boolean_property_map<edge_descriptor, false>());
-}
-
-} // namespace internal
+}} // namespace internal
 
 /*!
  * \ingroup PkgQuadMeshingStructureRef
@@ -290,7 +231,7 @@ std::size_t base_complex(const QuadMesh& qm, EdgeSeparatrixMap edge_is_separatri
 {
   CGAL_precondition(is_quad_mesh(qm));
   const auto copy = internal::make_indexed_quad_mesh(qm);
-  const internal::Base_complex_arrays bc = internal::make_base_complex(copy.mesh);
+  const internal::Base_complex_of_quad_mesh bc = internal::base_complex_of_quad_mesh(copy.mesh);
   for(int h = 0; h < copy.mesh.number_of_halfedges(); ++h)
     if(copy.mesh.edge(h) == h)
       put(edge_is_separatrix, edge(internal::original_halfedge(h, copy, qm), qm), bc.is_separatrix[h] != 0);
@@ -318,23 +259,18 @@ std::vector<Quad_helix<QuadMesh> > minimal_q_helices(const QuadMesh& qm)
 {
   CGAL_precondition(is_quad_mesh(qm));
   const auto copy = internal::make_indexed_quad_mesh(qm);
-  const internal::Indexed_quad_mesh& m = copy.mesh;
-  const internal::Dual_lines lines(m);
-
   std::vector<Quad_helix<QuadMesh> > helices;
-  for(const internal::Helix_record& r : internal::minimal_helices(m, lines, internal::side_relations(m, lines)))
-  {
-    int h = lines.first[r.line];
-    for(int p = 0; p < r.start; ++p)
-      h = m.forward(h);
-    helices.push_back(Quad_helix<QuadMesh>{ internal::original_halfedge(h, copy, qm), r.pitch, r.turn_length, r.length });
-  }
-  std::stable_sort(helices.begin(), helices.end(), [](const Quad_helix<QuadMesh>& a, const Quad_helix<QuadMesh>& b)
-                   { return a.winding_number() > b.winding_number(); });
+  for(const internal::Helix_of_quad_mesh& h : internal::helices_of_quad_mesh(copy.mesh))
+    helices.push_back(Quad_helix<QuadMesh>{ internal::original_halfedge(h.first, copy, qm), h.pitch, h.turn_length,
+                                            h.length });
   return helices;
 }
 
 } // namespace Quad_meshing
 } // namespace CGAL
+
+#ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
+#  include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_structure_impl.h>
+#endif
 
 #endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H

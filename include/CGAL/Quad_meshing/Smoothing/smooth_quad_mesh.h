@@ -9,113 +9,24 @@
 #ifndef CGAL_QUAD_MESHING_SMOOTHING_SMOOTH_QUAD_MESH_H
 #define CGAL_QUAD_MESHING_SMOOTHING_SMOOTH_QUAD_MESH_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
-#include <CGAL/Quad_meshing/Smoothing/internal/Global_quad_smoother.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/work_on_quad_mesh_copy.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_reference.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 
-/*!
- * \ingroup PkgQuadMeshingStructureRef
- *
- * \brief tells what `smooth_quad_mesh()` did.
- *
- * A quad is *folded* if it is not strictly convex (its scaled Jacobian is not positive) or if its
- * normal is opposed, by more than 120 degrees, to the normal of the reference surface below it.
- */
-struct Quad_mesh_smoothing_result
-{
-  /// outcome of the smoothing
-  enum Status {
-    smoothed,             ///< the mesh has been smoothed
-    not_a_quad_mesh,      ///< the mesh has faces that are not quads; it has not been touched
-    empty_reference,      ///< the reference has no triangle of positive area; the mesh has not been touched
-    stopped               ///< the visitor asked for an early end; the mesh is as it was
-  };
-
-  Status status = smoothed;                 ///< the outcome
-  std::string message;                      ///< the outcome as a sentence
-  std::size_t folded_quads_before = 0;      ///< number of folded quads in the input
-  std::size_t folded_quads_after = 0;       ///< number of folded quads in the output
-  Quad_mesh_quality quality_before;         ///< measures of the input
-  Quad_mesh_quality quality_after;          ///< measures of the output
-  unsigned int iterations = 0;              ///< number of sweeps over the vertices, and of steps of all together
-};
-
 namespace internal {
-
-// The smoothing on flat arrays. If `globally`, vertices may have to go far: after a few sweeps all of them are moved at once.
-template <typename Visitor>
-Quad_mesh_smoothing_result
-smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, const std::vector<char>& is_fixed_vertex,
-                         unsigned int number_of_iterations, bool globally, Visitor& visitor)
-{
-  // Sweeps before all vertices are moved at once, where quads have just been unfolded.
-  constexpr unsigned int sweeps_after_unfolding = 2;
-  // How many of these steps there are at most: so many that this is the number of quads in all of them together.
-  constexpr unsigned int most_quads_moved = 200000, least_number_of_steps = 4;
-  typedef Quad_mesh_smoothing_result Result;
-  Result result;
-  result.quality_before = result.quality_after = quality_of_quad_mesh(m);
-  if(m.number_of_faces() == 0)
-  {
-    result.message = "The mesh has no faces.";
-    return result;
-  }
-
-  const std::vector<Indexed_quad_mesh::Point_3> input_points = m.points;
-  visitor.on_stage_begin("smoothing");
-  Global_quad_smoother smoother(m, reference.surface, reference.features, reference.borders, is_fixed_vertex);
-  smoother.project();
-  std::vector<int> folded = smoother.folded_quads();
-  result.folded_quads_before = folded.size();
-  if(!folded.empty())
-    smoother.unfold(folded);
-
-  const unsigned int sweeps = !globally ? number_of_iterations : folded.empty() ? 0 : sweeps_after_unfolding;
-  const unsigned int steps = (std::max)(least_number_of_steps, most_quads_moved / static_cast<unsigned int>(m.number_of_faces()));
-  number_of_iterations = (std::min)(number_of_iterations, sweeps + steps);
-  smoother.start_sweeps();
-  bool moving = true;
-  for(; moving && result.iterations < number_of_iterations && visitor.go_further(); ++result.iterations)
-  {
-    if(result.iterations < sweeps)
-      moving = smoother.sweep() || globally;
-    else
-      moving = smoother.step();
-    moving = smoother.project_leftovers() || moving;
-    visitor.progress(double(result.iterations + 1) / number_of_iterations);
-  }
-  if(globally && result.iterations > 0)
-    smoother.mend();
-  result.folded_quads_after = smoother.folded_quads().size();
-  visitor.on_stage_end("smoothing");
-
-  if(!visitor.go_further())
-  {
-    m.points = input_points;
-    result.status = Result::stopped;
-    result.folded_quads_after = result.folded_quads_before;
-    result.message = "The smoothing was stopped; the mesh is as it was.";
-    return result;
-  }
-  result.quality_after = quality_of_quad_mesh(m);
-  result.message = result.folded_quads_after == 0
-    ? "The mesh has been smoothed; no quad is folded."
-    : "The mesh has been smoothed; number of folded quads: " + std::to_string(result.folded_quads_after) + ".";
-  return result;
-}
 
 // Smooths on `make_reference(flat copy)` and writes the points back.
 template <typename QuadMesh, typename NamedParameters, typename MakeReference>
@@ -125,16 +36,17 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
   typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
-  const unsigned int number_of_iterations =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 20);
-  const bool globally =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::smooth_globally), false);
+  Smoothing_options options;
+  options.iterations =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::smoothing_iterations), options.iterations);
+  options.globally =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::smooth_globally), options.globally);
   return work_on_quad_mesh_copy<Quad_mesh_smoothing_result>(qm, np, make_reference,
-    [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, auto& visitor, auto vpm, auto)
+    [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor, auto vpm, auto)
     {
       const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
       const Quad_mesh_smoothing_result result =
-        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, number_of_iterations, globally, visitor);
+        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, options, visitor);
       for(std::size_t i = 0; i < copy.vertices.size(); ++i)
       {
         const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
@@ -200,7 +112,7 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
  *                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a constant map: no vertex is constrained}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_iterations}
+ *   \cgalParamNBegin{smoothing_iterations}
  *     \cgalParamDescription{the largest number of sweeps and steps; the smoothing ends sooner when all vertices rest}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`20`}
@@ -250,7 +162,7 @@ smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
   CGAL_precondition(is_triangle_mesh(tm));
   return internal::smooth_quad_mesh_with(qm, np_qm, [&](const internal::Indexed_quad_mesh& m)
   {
-    return internal::smoothing_reference(m, tm, np_tm);
+    return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm));
   });
 }
 

@@ -11,35 +11,24 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
 
-#include <vector>
+#include <type_traits>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The reference that a triangle mesh is, with its named parameters `vertex_point_map` and `edge_is_constrained_map`.
-template <typename TriangleMesh, typename NamedParameters>
-Smoothing_reference smoothing_reference(const Indexed_quad_mesh& m, const TriangleMesh& tm, const NamedParameters& np)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  return make_smoothing_reference(m, tm,
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                 get_const_property_map(vertex_point, tm)),
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                 Static_boolean_property_map<edge_descriptor, false>()));
-}
-
-// Reads these, `vertex_point_map` and `visitor`, and calls work(copy, constrained vertices, reference, visitor, vertex
-// points, edge constraints) with a flat copy of the quad mesh and the reference make_reference(flat copy) that it is
-// smoothed on. A `Result` says so if the mesh or the reference cannot be used.
+// Reads the named parameters of a quad mesh that is smoothed: `edge_is_constrained_map`, `vertex_is_constrained_map`,
+// `vertex_point_map` and `visitor`. Calls work(copy, constrained vertices, reference, visitor, vertex points, edge constraints)
+// with a flat copy of the mesh and the reference make_reference(flat copy) that it is smoothed on. A `Result` says so if the
+// mesh or the reference cannot be used.
 template <typename Result, typename QuadMesh, typename NamedParameters, typename MakeReference, typename Work>
 Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference, const Work& work)
 {
@@ -50,20 +39,22 @@ Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const Mak
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));
   auto ecm = edge_constraint_map(qm, np);
   Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& user_visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Visitor_adaptor<std::remove_reference_t<decltype(user_visitor)> > visitor(user_visitor);
 
+  typedef decltype(Result::status) Status;
   Result result;
   if(!is_quad_mesh(qm))
   {
-    result.status = Result::not_a_quad_mesh;
+    result.status = Status::NOT_A_QUAD_MESH;
     result.message = "The mesh has faces that are not quads.";
     return result;
   }
   Indexed_quad_mesh_copy<QuadMesh> copy = make_indexed_quad_mesh(qm, vpm, ecm);
   Smoothing_reference reference = make_reference(copy.mesh);
-  if(copy.mesh.number_of_faces() > 0 && reference.surface.empty())
+  if(copy.mesh.number_of_faces() > 0 && reference.is_empty())
   {
-    result.status = Result::empty_reference;
+    result.status = Status::EMPTY_REFERENCE;
     result.message = "The reference surface has no triangle of positive area.";
     return result;
   }

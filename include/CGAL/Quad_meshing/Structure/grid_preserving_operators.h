@@ -9,11 +9,10 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_GRID_PRESERVING_OPERATORS_H
 #define CGAL_QUAD_MESHING_STRUCTURE_GRID_PRESERVING_OPERATORS_H
 
-#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
-#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
-#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
+#include <CGAL/Quad_meshing/Structure/internal/gp_kernels.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -22,7 +21,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <functional>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -84,7 +82,7 @@ struct Gp_input
 
   Indexed_quad_mesh_copy<QuadMesh> copy;
   Structure_state state;
-  Quad_vertex_rules rules;
+  bool merge_singularities;
 
   Gp_input(const QuadMesh& qm, const NamedParameters& np)
   {
@@ -94,10 +92,9 @@ struct Gp_input
     CGAL_precondition(is_quad_mesh(qm));
     const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, qm));
-    const bool merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
+    merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
     copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
     state = initial_structure_state(copy.mesh, constrained_vertices(copy, np));
-    rules = vertex_rules(state, merge_singularities);
   }
 
   // Indices of halfedges that are not border halfedges.
@@ -144,23 +141,6 @@ struct Gp_input
     return path;
   }
 };
-
-// Whether the steps follow each other as the state machine demands.
-inline bool is_closed_gp_path(const Indexed_quad_mesh& m, const Gp_path& path)
-{
-  for(std::size_t i = 0; i < path.size(); ++i)
-  {
-    const Gp_step &s = path[i], &t = path[i + 1 < path.size() ? i + 1 : 0];
-    if((s.in == -1 || s.out == -1) && s.kind != gp_collapse)
-      return false;
-    bool follows = s.in == -1 && t.out == -1;
-    if(s.in != -1)
-      for_each_next_gp_state(s, [&](int state) { follows = follows || (t.out != -1 && state == 3 * t.out + t.kind); });
-    if(!follows || (t.out != -1 && t.in != m.opposite[t.out]))
-      return false;
-  }
-  return !path.empty();
-}
 
 } // namespace internal
 
@@ -232,17 +212,12 @@ find_grid_preserving_operator(const QuadMesh& qm,
 
   CGAL_precondition(!is_border(h, qm));
   const internal::Gp_input<QuadMesh, NamedParameters> input(qm, np);
-  const internal::Indexed_quad_mesh& m = input.copy.mesh;
-  internal::Gp_search search(m, input.rules);
-  std::function<double(int)> cost;
+  std::function<double(const internal::Gp_step&)> cost;
   const Step_cost step_cost = choose_parameter(get_parameter(np, internal_np::operator_step_cost), Step_cost());
   if(step_cost)
-    cost = [&](int state)
-    {
-      return step_cost(input.public_path(internal::Gp_path(1, internal::gp_step(m, state)), qm).front());
-    };
+    cost = [&](const internal::Gp_step& s) { return step_cost(input.public_path(internal::Gp_path(1, s), qm).front()); };
   const int first = 3 * input.index({ h }, qm).front() + static_cast<int>(kind);
-  return input.public_path(search.close({ first }, cost), qm);
+  return input.public_path(internal::find_gp_operator(input.state, input.merge_singularities, first, cost), qm);
 }
 
 /*!
@@ -268,15 +243,9 @@ dual_curve_operator(const QuadMesh& qm, typename boost::graph_traits<QuadMesh>::
 {
   CGAL_precondition(!is_border(h, qm));
   const internal::Gp_input<QuadMesh, NamedParameters> input(qm, np);
-  const internal::Indexed_quad_mesh& m = input.copy.mesh;
-  const internal::Gp_path path =
-    internal::straight_path(m, input.index({ h }, qm).front(), static_cast<internal::Gp_kind>(kind));
-  internal::Gp_legality legality(m, input.rules);
-  bool allowed = internal::is_closed_gp_path(m, path) && !legality.check(path);
-  if(kind != Grid_preserving_step_kind::COLLAPSE)
-    for(const internal::Gp_step& s : path)
-      allowed = allowed && !m.is_feature[s.edge()];
-  return allowed ? input.public_path(path, qm) : Grid_preserving_operator<QuadMesh>();
+  return input.public_path(internal::dual_curve_gp_operator(input.state, input.merge_singularities,
+                                                            input.index({ h }, qm).front(),
+                                                            static_cast<internal::Gp_kind>(kind)), qm);
 }
 
 /*!
@@ -309,15 +278,8 @@ bool apply_grid_preserving_operator(QuadMesh& qm, const Grid_preserving_operator
   using parameters::get_parameter;
 
   const internal::Gp_input<QuadMesh, NamedParameters> input(qm, np);
-  const internal::Gp_path path = input.flat_path(op, qm);
-  if(!internal::is_closed_gp_path(input.copy.mesh, path))
-    return false;
-  internal::Gp_legality legality(input.copy.mesh, input.rules);
   internal::Structure_state result;
-  for(const internal::Gp_step& s : path)
-    if(s.kind != internal::gp_collapse && input.copy.mesh.is_feature[s.edge()])
-      return false;
-  if(legality.check(path) || !internal::execute_operator(input.state, path, input.rules, result))
+  if(!internal::apply_gp_operator(input.state, input.merge_singularities, input.flat_path(op, qm), result))
     return false;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));

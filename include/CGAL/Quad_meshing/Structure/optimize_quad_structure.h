@@ -9,145 +9,26 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_OPTIMIZE_QUAD_STRUCTURE_H
 #define CGAL_QUAD_MESHING_STRUCTURE_OPTIMIZE_QUAD_STRUCTURE_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
-#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/work_on_quad_mesh_copy.h>
-#include <CGAL/Quad_meshing/Structure/internal/Accepted_shape.h>
-#include <CGAL/Quad_meshing/Structure/internal/Shape_watch.h>
-#include <CGAL/Quad_meshing/Structure/internal/Structure_methods.h>
-#include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
+#include <CGAL/Quad_meshing/Structure/Quad_structure_optimization_result.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
+#include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Indexed_reference.h>
 #include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 
-/*!
- * \ingroup PkgQuadMeshingStructureRef
- *
- * \brief is the way in which `optimize_quad_structure()` proceeds.
- */
-enum class Structure_method
-{
-  LAYOUT,     ///< looks for a coarse layout of the whole mesh, then multiplies its dual curves
-  HELICES     ///< removes helices one by one
-};
-
-/*!
- * \ingroup PkgQuadMeshingStructureRef
- *
- * \brief tells what `optimize_quad_structure()` did.
- */
-struct Quad_structure_optimization_result
-{
-  /// outcome of the optimization
-  enum Status {
-    optimized,            ///< the structure has been optimized
-    not_a_quad_mesh,      ///< the mesh has faces that are not quads, or no faces; it has not been touched
-    empty_reference,      ///< the reference has no triangle of positive area; the mesh has not been touched
-    stopped               ///< the visitor asked for an early end; the mesh is as it was
-  };
-
-  Status status = optimized;                ///< the outcome
-  std::string message;                      ///< the outcome as a sentence
-  std::size_t operators_applied = 0;        ///< number of grid-preserving operators applied one by one
-  Quad_mesh_structure structure_before;     ///< structure of the input
-  Quad_mesh_structure structure_after;      ///< structure of the output
-  /// what the smoothing at the end did. Its input is the mesh after the last operator.
-  Quad_mesh_smoothing_result smoothing;
-};
-
 namespace internal {
-
-// The method that is asked for, the collapses of section 10.4, and the smoothing.
-template <typename Visitor>
-Quad_structure_optimization_result
-optimize_indexed_quad_structure(Structure_optimizer& optimizer, Smoothing_reference& reference, Structure_method method,
-                                const Structure_options& options, Visitor& visitor)
-{
-  typedef Quad_structure_optimization_result Result;
-
-  Result result;
-  result.structure_before = structure_of_quad_mesh(optimizer.state.mesh);
-  auto target_reached = [&]
-  {
-    return (options.target_quads > 0 && optimizer.state.mesh.corners.size() <= options.target_quads)
-        || (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
-  };
-  Default_visitor silent;
-  // the vertices of a new layout may have to go far
-  const bool is_new_layout = method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0;
-  auto smooth_with = [&](Structure_state& s, unsigned int sweeps, bool globally)
-  {
-    return options.smoothing_iterations == 0
-      ? Quad_mesh_smoothing_result()
-      : smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, sweeps, globally, silent);
-  };
-  auto smooth = [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, false); };
-  Accepted_shape accepted;
-  if(options.smoothing_iterations > 0)
-  {
-    Structure_state input = optimizer.state;
-    accepted = Accepted_shape(smooth(input, 0), options.merge_singularities || options.collapse_dual_curves);
-  }
-
-  visitor.on_stage_begin("structure");
-  if(is_new_layout)
-    optimize_layout(optimizer, options, accepted,
-                    [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, true); }, visitor);
-  else
-  {
-    Shape_watch<decltype(smooth)> watch(optimizer, accepted, smooth, options.smoothing_iterations);
-    remove_helices(optimizer, watch, target_reached, visitor);
-  }
-  if(options.collapse_dual_curves)
-  {
-    Shape_watch<decltype(smooth)> watch(optimizer, accepted, smooth, options.smoothing_iterations);
-    collapse_dual_curves(optimizer, watch, target_reached, visitor);
-  }
-  visitor.on_stage_end("structure");
-  result.operators_applied = optimizer.operators;
-
-  // what has been accepted stays so
-  Indexed_quad_mesh& m = optimizer.state.mesh;
-  const std::vector<Indexed_quad_mesh::Point_3> points = m.points;
-  if(visitor.go_further() && options.smoothing_iterations > 0)
-    result.smoothing = smooth_indexed_quad_mesh(m, reference, optimizer.state.is_fixed, options.smoothing_iterations,
-                                                is_new_layout, visitor);
-  if(options.smoothing_iterations == 0 || !accepted.accepts(result.smoothing))
-  {
-    m.points = points;
-    result.smoothing = Quad_mesh_smoothing_result();
-    result.smoothing.quality_before = result.smoothing.quality_after = quality_of_quad_mesh(m);
-    result.smoothing.message = "The mesh has not been smoothed.";
-  }
-  if(!visitor.go_further())
-  {
-    result.status = Result::stopped;
-    result.operators_applied = 0;
-    result.structure_after = result.structure_before;
-    result.message = "The optimization was stopped; the mesh is as it was.";
-    return result;
-  }
-  result.structure_after = structure_of_quad_mesh(m);
-  result.message = "The base complex has " + std::to_string(result.structure_after.number_of_patches) + " patches, "
-                 + std::to_string(result.structure_before.number_of_patches) + " before; the number of helices is "
-                 + std::to_string(result.structure_after.number_of_helices) + ", "
-                 + std::to_string(result.structure_before.number_of_helices) + " before.";
-  if(options.target_patches > 0 && result.structure_after.number_of_patches > options.target_patches)
-    result.message += " The target of " + std::to_string(options.target_patches) + " patches has not been reached.";
-  if(options.target_quads > 1 && result.structure_after.number_of_quads > options.target_quads)
-    result.message += " The target of " + std::to_string(options.target_quads) + " quads has not been reached.";
-  return result;
-}
 
 // Optimizes a flat copy on `make_reference(copy)` and writes it back.
 template <typename QuadMesh, typename NamedParameters, typename MakeReference>
@@ -158,30 +39,35 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
   using parameters::get_parameter;
   typedef Quad_structure_optimization_result Result;
 
-  const Structure_method method =
-    choose_parameter(get_parameter(np, internal_np::structure_method), Structure_method::LAYOUT);
   Structure_options options;
-  options.merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
-  options.collapse_dual_curves = choose_parameter(get_parameter(np, internal_np::collapse_dual_curves), false);
-  options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), 0);
-  options.target_patches = choose_parameter(get_parameter(np, internal_np::target_number_of_patches), 0);
-  options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10000);
-  options.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations), 20);
+  options.method = choose_parameter(get_parameter(np, internal_np::structure_method), options.method);
+  options.merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities),
+                                                 options.merge_singularities);
+  options.collapse_dual_curves = choose_parameter(get_parameter(np, internal_np::collapse_dual_curves),
+                                                  options.collapse_dual_curves);
+  options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), options.target_quads);
+  options.target_patches = choose_parameter(get_parameter(np, internal_np::target_number_of_patches),
+                                            options.target_patches);
+  options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.layouts);
+  options.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations),
+                                                  options.smoothing_iterations);
+  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                                  options.maximum_running_time);
 
   return work_on_quad_mesh_copy<Result>(qm, np, make_reference,
-    [&](const auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, auto& visitor, auto vpm, auto ecm)
+    [&](const auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor,
+        auto vpm, auto ecm)
     {
       if(copy.mesh.number_of_faces() == 0)
       {
         Result result;
-        result.status = Result::not_a_quad_mesh;
+        result.status = Structure_optimization_status::NOT_A_QUAD_MESH;
         result.message = "The mesh has no faces.";
         return result;
       }
-      Structure_optimizer optimizer(copy.mesh, is_fixed, options.merge_singularities);
-      const Result result = optimize_indexed_quad_structure(optimizer, reference, method, options, visitor);
-      const Structure_state& s = optimizer.state;
-      if(result.status == Result::optimized)
+      Structure_state s = initial_structure_state(copy.mesh, is_fixed);
+      const Result result = optimize_indexed_quad_structure(s, reference, options, visitor);
+      if(result.status == Structure_optimization_status::OPTIMIZED)
         write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
       return result;
     });
@@ -288,6 +174,12 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`20`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{the search ends after this time, in seconds, with the best mesh that has been found until then; it is
+ *                           not smoothed once more at the end. The result says so.}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor with the interface of `Default_visitor`, passed as `std::ref(visitor)`}
  *     \cgalParamDefault{`Default_visitor`}
@@ -312,7 +204,7 @@ optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
   CGAL_precondition(is_triangle_mesh(tm));
   return internal::optimize_quad_structure_with(qm, np_qm, [&](const internal::Indexed_quad_mesh& m)
   {
-    return internal::smoothing_reference(m, tm, np_tm);
+    return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm));
   });
 }
 

@@ -10,7 +10,6 @@
 #define CGAL_QUAD_MESHING_INTERNAL_INDEXED_QUAD_MESH_H
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -146,6 +145,17 @@ struct Indexed_quad_mesh_copy
   std::vector<typename boost::graph_traits<QuadMesh>::vertex_descriptor> vertices;
   std::vector<typename boost::graph_traits<QuadMesh>::face_descriptor> faces;
 };
+
+// The halfedge of the graph that a flat copy of it calls h.
+template <typename QuadMesh>
+typename boost::graph_traits<QuadMesh>::halfedge_descriptor
+original_halfedge(int h, const Indexed_quad_mesh_copy<QuadMesh>& copy, const QuadMesh& qm)
+{
+  typename boost::graph_traits<QuadMesh>::halfedge_descriptor original = halfedge(copy.faces[h / 4], qm);
+  for(int k = 0; k < (h & 3); ++k)
+    original = next(original, qm);
+  return original;
+}
 
 // Copies a pure quad mesh, vertices and faces in the order in which the graph enumerates them. Corner
 // 0 of a face is the source of `halfedge(f, qm)`.

@@ -78,8 +78,8 @@ public:
       build_tree();
     if(hint == -1)
       hint = m_first_face;
-    const Location near = walk(query, hint);
-    const auto closest = m_tree->closest_point_and_primitive(query, std::make_pair(near.point, near.face));
+    const Location close = walk(query, hint);
+    const auto closest = m_tree->closest_point_and_primitive(query, std::make_pair(close.point, close.face));
     return Location{ closest.second, closest.first };
   }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_INTERNAL_ELEMENT_NUMBERS_H
 #define CGAL_QUAD_MESHING_INTERNAL_ELEMENT_NUMBERS_H
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -23,8 +24,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// An index map whose values are consecutive from 0 even if those of the map that it is made of are not: a `Surface_mesh` with removed
-// elements that were not collected yet has gaps.
+// An index map whose values are consecutive from 0 even if those of the map that it is made of are not: a `Surface_mesh`
+// with removed elements that were not collected yet has gaps.
 template <typename Element, typename IndexMap>
 class Element_numbers
 {
@@ -79,6 +80,20 @@ auto face_numbers(const TriangleMesh& tm, const NamedParameters& np)
   typedef decltype(get_initialized_face_index_map(tm, np)) Index_map;
   return Element_numbers<typename boost::graph_traits<TriangleMesh>::face_descriptor, Index_map>(
     faces(tm), get_initialized_face_index_map(tm, np));
+}
+
+// Calls f(e, i) for the edges that have a face, numbered from 0 in the order in which the graph enumerates them. This is how
+// `Indexed_triangle_mesh` numbers edges.
+template <typename FaceGraph, typename Function>
+void for_each_edge_of_faces(const FaceGraph& g, Function f)
+{
+  int i = 0;
+  for(auto e : edges(g))
+  {
+    const auto h = halfedge(e, g);
+    if(!is_border(h, g) || !is_border(opposite(h, g), g))
+      f(e, i++);
+  }
 }
 
 } // namespace internal

@@ -20,17 +20,6 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The halfedge of the graph that a flat copy of it calls h.
-template <typename QuadMesh>
-typename boost::graph_traits<QuadMesh>::halfedge_descriptor
-original_halfedge(int h, const Indexed_quad_mesh_copy<QuadMesh>& copy, const QuadMesh& qm)
-{
-  typename boost::graph_traits<QuadMesh>::halfedge_descriptor original = halfedge(copy.faces[h / 4], qm);
-  for(int k = 0; k < (h & 3); ++k)
-    original = next(original, qm);
-  return original;
-}
-
 // Gives a mesh the connectivity of flat arrays that came out of its copy by removing faces and
 // vertices and joining the remaining sides anew. The vertices and faces that are still there keep
 // their descriptors, edges keep theirs where they still have one of their sides. Nothing has to be

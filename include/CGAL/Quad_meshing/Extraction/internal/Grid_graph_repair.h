@@ -10,6 +10,8 @@
 #define CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_GRID_GRAPH_REPAIR_H
 
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph.h>
+#include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +26,7 @@ namespace internal {
 //
 // A fold-over lets a grid line run back, so that two grid lines may cross three times instead of
 // once, with orientations +, -, +. Two consecutive crossings bound a 2-gon, and the neighboring faces have more than
-// four sides (thesis, Fig. 6.1). To pull the lines apart over the 2-gon removes both crossings and leaves the quads there should be.
+// four sides [Bom12, Fig. 6.1]. To pull the lines apart over the 2-gon removes both crossings and leaves the quads there should be.
 //
 // Where several singular vertices have the same image, there is no such 2-gon, but the copies of that grid point are joined by
 // edges of length 0. If as many rays leave the whole cluster as the map covers quarters there, counted with orientation, it
@@ -44,12 +46,14 @@ public:
   std::size_t merged_nodes = 0;
   std::size_t removed_edges = 0;
 
-  void operator()()
+  // If the visitor stops it, the graph is left as it is then.
+  void operator()(Stage_progress& progress)
   {
     remove_failed_rays();
     // Each round removes edges, so this ends; the bound keeps it linear in hopeless maps.
+    const int most_rounds = 64;
     bool changed = true;
-    for(int round = 0; changed && round < 64; ++round)
+    for(int round = 0; changed && round < most_rounds && progress.go_further(); ++round)
     {
       changed = cancel_crossings();
       changed |= contract_clusters();
@@ -137,13 +141,6 @@ private:
     return changed;
   }
 
-  int cluster_of(std::vector<int>& parent, int n) const
-  {
-    while(parent[n] != n)
-      n = parent[n] = parent[parent[n]];
-    return n;
-  }
-
   bool contract_clusters()
   {
     // The clusters are the components of the graph of the edges of length 0; nearly all nodes are alone.
@@ -153,18 +150,16 @@ private:
         edges.push_back(r);
     if(edges.empty())
       return false;
-    std::vector<int> parent(m_graph.number_of_nodes());
-    for(int n = 0; n < m_graph.number_of_nodes(); ++n)
-      parent[n] = n;
+    Disjoint_sets clusters(m_graph.number_of_nodes());
     for(int r : edges)
-      parent[cluster_of(parent, m_graph.node[r])] = cluster_of(parent, m_graph.node[m_graph.opposite[r]]);
+      clusters.join(m_graph.node[r], m_graph.node[m_graph.opposite[r]]);
 
     // Per cluster: the rays that leave it, and the quarters it covers.
     std::vector<int> leaving(m_graph.number_of_nodes(), 0), quarters(m_graph.number_of_nodes(), 0);
     for(int r = 0; r < m_graph.number_of_rays(); ++r)
       if(m_graph.is_alive(r))
       {
-        const int c = cluster_of(parent, m_graph.node[r]);
+        const int c = clusters.find(m_graph.node[r]);
         quarters[c] += m_sign[m_graph.node[r]] == 0 ? 1 : m_graph.sign[r];
         leaving[c] += m_graph.opposite[r] < 0 || m_graph.length[r] != 0;
       }
@@ -174,7 +169,7 @@ private:
     {
       if(!m_graph.is_alive(r))
         continue;
-      const int c = cluster_of(parent, m_graph.node[r]);
+      const int c = clusters.find(m_graph.node[r]);
       if(leaving[c] != quarters[c] || leaving[c] == 0)
         continue;
       const int p = m_graph.node[r], q = m_graph.node[m_graph.opposite[r]];

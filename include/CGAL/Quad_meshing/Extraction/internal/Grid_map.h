@@ -82,22 +82,6 @@ struct Grid_map
   bool is_integer_corner(int h) const { return is_integer(uv[h].x()) && is_integer(uv[h].y()); }
 };
 
-// Turns the sectors of a vertex, counterclockwise: `f(h)` for every halfedge h that leaves v.
-template <typename Function>
-void for_each_sector(const Indexed_triangle_mesh& m, int v, const Function& f)
-{
-  const int start = m.halfedge_of_vertex[v];
-  if(start == -1)
-    return;
-  int h = start;
-  do
-  {
-    f(h);
-    h = m.next_around_source(h);
-  }
-  while(h != -1 && h != start);
-}
-
 // The first grid direction at or after the vector from `from` to `to`, counterclockwise; -1 for equal points.
 // Only signs of differences are used, so the answer is exact.
 template <typename Point>
@@ -172,7 +156,7 @@ inline int number_of_singular_vertices_off_grid(const Grid_map& map)
       continue;
     int quarters = 0;
     bool positive = true;
-    for_each_sector(map.mesh, v, [&](int g)
+    for_each_corner_of_vertex(map.mesh, v, [&](int g)
     {
       positive &= map.sign[g / 3] > 0;
       for_each_direction_in_sector(map, g, [&](int, int) { ++quarters; });

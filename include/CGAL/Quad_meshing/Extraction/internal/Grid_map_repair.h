@@ -10,6 +10,8 @@
 #define CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_GRID_MAP_REPAIR_H
 
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_map.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
+#include <CGAL/Quad_meshing/internal/binary_unit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +33,9 @@ class Grid_map_repair
 public:
   typedef Grid_map::Point_2 Point_2;
 
-  explicit Grid_map_repair(Grid_map& map)
-    : m_map(map), m_mesh(map.mesh), m_quantum(quantum(map))
+  // If the visitor stops it, the map is left as it is then.
+  Grid_map_repair(Grid_map& map, Stage_progress& progress)
+    : m_map(map), m_mesh(map.mesh), m_progress(progress), m_quantum(quantum(map))
   {}
 
   double largest_change = 0;
@@ -47,7 +50,8 @@ public:
       discrepancy = (std::max)(discrepancy, discrepancy_of(h));
     // A coordinate this near to an integer cannot be told from one: alignment to isolines must not get lost.
     const double snap_distance = (std::min)(4 * discrepancy, 1. / 64);
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+    Small_steps steps(m_progress, vertices_per_report);
+    for(int v = 0; v < m_mesh.number_of_vertices() && steps.go_further(); ++v)
       if(m_mesh.halfedge_of_vertex[v] != -1)
         make_exact(v, snap_distance);
   }
@@ -67,13 +71,18 @@ public:
   void undo_fold_overs(int sweeps)
   {
     std::vector<int> bad = bad_faces();
+    Small_steps steps(m_progress, vertices_per_report);
     for(bool keep_on_isolines : { true, false })
       for(int i = 0; i < sweeps && !bad.empty(); ++i)
       {
         const std::size_t before = moved_vertices;
         for(int f : bad)
+        {
           for(int k = 0; k < 3 && m_map.sign[f] <= 0 && m_attempts_left > 0; ++k, --m_attempts_left)
             moved_vertices += move_into_kernel(m_mesh.corners[f][k], keep_on_isolines);
+          if(!steps.go_further())
+            return;
+        }
         bad.erase(std::remove_if(bad.begin(), bad.end(), [&](int f) { return m_map.sign[f] > 0; }), bad.end());
         if(moved_vertices == before)
           break;
@@ -97,9 +106,10 @@ public:
       std::vector<Point_2> old_uv;
       const std::size_t old_moved = moved_vertices;
       for(int v : touched)
-        for_each_sector(m_mesh, v, [&](int h) { old_uv.push_back(m_map.uv[h]); });
+        for_each_corner_of_vertex(m_mesh, v, [&](int h) { old_uv.push_back(m_map.uv[h]); });
 
-      for(int i = 0; i < 40; ++i)
+      const int relaxation_steps = 40; // enough to spread the vertices of four rings
+      for(int i = 0; i < relaxation_steps && m_progress.go_further(); ++i)
         for(int v : patch)
           move_to_center(v);
       update_signs_around(patch);
@@ -110,7 +120,7 @@ public:
         continue;
       auto old = old_uv.begin();
       for(int v : touched)
-        for_each_sector(m_mesh, v, [&](int h) { m_map.uv[h] = *old++; });
+        for_each_corner_of_vertex(m_mesh, v, [&](int h) { m_map.uv[h] = *old++; });
       update_signs_around(touched);
       moved_vertices = old_moved;
     }
@@ -144,11 +154,14 @@ private:
 
   // What has more fold-overs than that is not worth the time.
   static const std::size_t largest_patch = 20000;
+  // A vertex takes some microseconds.
+  static const int vertices_per_report = 4096;
 
   struct Sector { int h; Grid_automorphism to_first; };
 
   Grid_map& m_map;
   const Mesh& m_mesh;
+  Stage_progress& m_progress;
   const double m_quantum;
   int m_attempts_left = 1000000;   // a map with this much to unfold is beyond repair, and the time is limited
   std::vector<Sector> m_fan;
@@ -160,7 +173,8 @@ private:
     double largest = 1;
     for(const Point_2& p : map.uv)
       largest = (std::max)(largest, (std::max)(std::fabs(p.x()), std::fabs(p.y())));
-    return std::ldexp(1., std::ilogb(largest) - 46);
+    const int significant_bits = 47;
+    return binary_unit(largest, significant_bits);
   }
 
   static double fraction(double x) { return x - std::floor(x); }
@@ -191,7 +205,7 @@ private:
     std::size_t i = 0;
     for(int ring = 1; ring < rings; ++ring)
       for(const std::size_t end = vertices.size(); i < end; ++i)
-        for_each_sector(m_mesh, vertices[i], [&](int h) { add(m_mesh.target(h)); });
+        for_each_corner_of_vertex(m_mesh, vertices[i], [&](int h) { add(m_mesh.target(h)); });
     for(int v : vertices)
       if(is_free(v))
         movable.push_back(v);
@@ -215,7 +229,7 @@ private:
   void update_signs_around(const std::vector<int>& vertices)
   {
     for(int v : vertices)
-      for_each_sector(m_mesh, v, [&](int h)
+      for_each_corner_of_vertex(m_mesh, v, [&](int h)
       { m_map.sign[h / 3] = static_cast<signed char>(m_map.orientation_of_face(h / 3)); });
   }
 
@@ -235,7 +249,7 @@ private:
   bool unfold(int v, Grid_automorphism& holonomy)
   {
     m_fan.clear();
-    for_each_sector(m_mesh, v, [&](int h)
+    for_each_corner_of_vertex(m_mesh, v, [&](int h)
     {
       m_fan.push_back(Sector{ h, m_fan.empty() ? Grid_automorphism() : m_fan.back().to_first * m_map.transition[h] });
     });

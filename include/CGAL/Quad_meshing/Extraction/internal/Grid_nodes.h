@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_GRID_NODES_H
 
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_map.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,8 @@ public:
   std::vector<int> first_on_edge;         // per edge, and one more: its first node
   std::vector<int> first_in_face;         // per face, and one more: its first node
 
-  explicit Grid_nodes(const Grid_map& map) : m_map(map), m_mesh(map.mesh)
+  // Not to be used if the visitor stops it.
+  Grid_nodes(const Grid_map& map, Stage_progress& progress) : m_map(map), m_mesh(map.mesh), m_progress(progress)
   {
     collect_on_vertices();
     collect_on_edges();
@@ -128,6 +130,9 @@ private:
 
   const Grid_map& m_map;
   const Mesh& m_mesh;
+  Stage_progress& m_progress;
+
+  static constexpr int nodes_per_report = 0x8000; // each takes about a microsecond
 
   template <typename Less>
   int find(int first, int last, const Point_2& p, const Less& less) const
@@ -168,7 +173,8 @@ private:
   void collect_on_edges()
   {
     first_on_edge.reserve(m_mesh.number_of_edges() + 1);
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+    Small_steps steps(m_progress, nodes_per_report);
+    for(int e = 0; e < m_mesh.number_of_edges() && steps.go_further(); ++e)
     {
       first_on_edge.push_back(number_of_nodes());
       const int h = m_mesh.halfedge_of_edge[e];
@@ -200,7 +206,8 @@ private:
   void collect_in_faces()
   {
     first_in_face.reserve(m_mesh.number_of_faces() + 1);
-    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+    Small_steps steps(m_progress, nodes_per_report);
+    for(int f = 0; f < m_mesh.number_of_faces() && steps.go_further(); ++f)
     {
       first_in_face.push_back(number_of_nodes());
       const int s = m_map.sign[f];
@@ -218,7 +225,7 @@ private:
         return true;
       };
 
-      for(double y = std::floor(y0) + 1; y < y1; ++y)
+      for(double y = std::floor(y0) + 1; y < y1 && steps.go_further(); ++y)
       {
         // The interval of the row in floating point, one point wider than that on either side; both ends are then moved inward by
         // exact tests. What lies between two points inside is inside.
@@ -282,7 +289,8 @@ private:
     ray_sign.reserve(4 * n);
 
     std::vector<int> folded;
-    for(int i = 0; i < static_cast<int>(n); ++i)
+    Small_steps steps(m_progress, nodes_per_report);
+    for(int i = 0; i < static_cast<int>(n) && steps.go_further(); ++i)
     {
       first_ray.push_back(number_of_rays());
       const int h = node_halfedge[i];
@@ -291,7 +299,7 @@ private:
       {
         const int v = m_mesh.source(h);
         on_border[i] = m_mesh.previous_around_source(h) == -1;
-        for_each_sector(m_mesh, v, [&](int g) { is_folded |= add_rays_at_corner(g); });
+        for_each_corner_of_vertex(m_mesh, v, [&](int g) { is_folded |= add_rays_at_corner(g); });
       }
       else if(is_on_edge(i))
       {
@@ -312,6 +320,8 @@ private:
     }
     first_ray.push_back(number_of_rays());
 
+    if(m_progress.is_stopped())
+      return;
     mate.assign(number_of_rays(), -1);
     std::vector<int> left;
     for(int i : folded)

@@ -319,7 +319,7 @@ private:
     const int h = here.h;
     m_fan.clear();
     int turned = 0, arrival = -1;
-    for_each_sector(m_mesh, m_mesh.source(h), [&](int g)
+    for_each_corner_of_vertex(m_mesh, m_mesh.source(h), [&](int g)
     {
       if(g != m_mesh.halfedge_of_vertex[m_mesh.source(h)])
         turned += m_map.transition[g].r;

@@ -14,9 +14,12 @@
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph_repair.h>
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_map_repair.h>
 #include <CGAL/Quad_meshing/Extraction/internal/cells_with_holes.h>
+#include <CGAL/Quad_meshing/Extraction/internal/compare_topology.h>
+#include <CGAL/Quad_meshing/Extraction/internal/extract_quads.h>
 #include <CGAL/Quad_meshing/Extraction/internal/read_grid_map.h>
-#include <CGAL/Quad_meshing/Extraction/internal/topology_figures.h>
+#include <CGAL/Quad_meshing/Extraction/internal/trace_grid_graph.h>
 #include <CGAL/Quad_meshing/Extraction/internal/write_grid_graph.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <array>
@@ -30,22 +33,6 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A point of a face: its weights with respect to the corners 0, 1, 2.
-struct Grid_location
-{
-  int face;
-  std::array<double, 3> weights;
-};
-
-inline Indexed_triangle_mesh::Point_3 position(const Indexed_triangle_mesh& m, const Grid_location& l)
-{
-  double c[3] = { 0, 0, 0 };
-  for(int k = 0; k < 3; ++k)
-    for(int i = 0; i < 3; ++i)
-      c[i] += l.weights[k] * m.points[m.corners[l.face][k]][i];
-  return Indexed_triangle_mesh::Point_3(c[0], c[1], c[2]);
-}
-
 // Faces of more sides are holes rather than faces.
 const int largest_degree_kept = 16;
 
@@ -54,37 +41,28 @@ const int largest_degree_kept = 16;
 class Quad_extractor
 {
 public:
-  // Triangles that are not positive are visited `unfolding_sweeps` times to unfold them; chains of
-  // them need several visits.
-  Quad_extractor(Grid_map& map, Quad_extraction_result& result, int unfolding_sweeps = 20)
-    : m_map(map), m_result(result), m_unfolding_sweeps(unfolding_sweeps)
+  Quad_extractor(Grid_map& map, Extracted_quads& quads, Quad_extraction_result& result, Stage_progress& progress,
+                 int unfolding_sweeps)
+    : m_map(map), m_quads(quads), m_graph(quads.graph), m_vertex_of_ray(quads.vertex_of_ray), m_result(result)
+    , m_progress(progress), m_unfolding_sweeps(unfolding_sweeps)
   {}
 
   // Returns whether there is something to write.
-  template <typename Visitor>
-  bool run(Visitor& visitor)
+  bool run()
   {
-    visitor.on_stage_begin("extraction");
-    const bool ok = run_stages(visitor);
-    visitor.on_stage_end("extraction");
-    return ok;
-  }
-
-  // `new_vertex(location)` adds a vertex to the mesh.
-  template <typename QuadMesh, typename NewVertex>
-  void write(QuadMesh& qm, const NewVertex& new_vertex) const
-  {
-    write_grid_graph(m_graph, m_vertex_of_ray, m_node_of_vertex.size(), qm,
-                     [&](std::size_t i) { return new_vertex(location(m_node_of_vertex[i])); });
+    const bool is_done = run_stages();
+    return m_progress.is_stopped() ? stop() : is_done;
   }
 
 private:
   Grid_map& m_map;
+  Extracted_quads& m_quads;
+  Grid_graph& m_graph;
+  std::vector<int>& m_vertex_of_ray;
   Quad_extraction_result& m_result;
+  Stage_progress& m_progress;
   const int m_unfolding_sweeps;
-  Grid_graph m_graph;
   std::vector<Grid_location> m_locations;   // per node
-  std::vector<int> m_vertex_of_ray;
   std::vector<int> m_node_of_vertex;
 
   bool fail(const std::string& why)
@@ -94,42 +72,51 @@ private:
     return false;
   }
 
-  template <typename Visitor>
-  bool run_stages(Visitor& visitor)
-  {
-    auto go_further = [&](double part)
-    {
-      visitor.progress(part);
-      return visitor.go_further();
-    };
+  // How far the progress has come at the end of each part.
+  static constexpr double consistent = 0.3, collected = 0.4, traced = 0.9;
 
+  // After a stop by the visitor, whatever is computed is not used.
+  bool run_stages()
+  {
     if(m_map.mesh.number_of_faces() == 0)
-      return fail("the triangle mesh has no faces");
+      return fail("The triangle mesh has no faces.");
     const std::string defect = defect_of_coordinates(m_map);
     if(!defect.empty())
       return fail(defect);
 
+    m_progress.begin_part(consistent);
     make_map_consistent();
-    if(!go_further(0.1))
-      return stop();
-    const Grid_nodes nodes(m_map);
-    if(!make_grid_graph(m_map, nodes, m_graph, [&](double part) { return go_further(0.4 + 0.5 * part); }))
-      return stop();
+    if(!m_progress.go_further(consistent))
+      return false;
+    m_progress.begin_part(collected);
+    const Grid_nodes nodes(m_map, m_progress);
+    if(!m_progress.go_further(collected) || !make_grid_graph(m_map, nodes, m_graph, m_progress, collected, traced))
+      return false;
     locate(nodes);
 
-    if(!go_further(0.9))
-      return stop();
+    m_progress.begin_part(1.);
+    if(!m_progress.go_further())
+      return false;
     m_graph.find_faces();
+    if(!m_progress.go_further())
+      return false;
     repair();
+    if(!m_progress.go_further())
+      return false;
     open_cells_with_holes(nodes);
     m_node_of_vertex = make_vertices(m_graph, m_vertex_of_ray);
-    return summarize();
+    for(int n : m_node_of_vertex)
+      m_quads.vertices.push_back(m_locations[n]);
+    if(!m_progress.go_further())
+      return false;
+    const bool is_done = summarize();
+    return m_progress.go_further(1.) && is_done;
   }
 
   void make_map_consistent()
   {
     const std::vector<int> inexact = make_transitions(m_map);
-    Grid_map_repair map_repair(m_map);
+    Grid_map_repair map_repair(m_map, m_progress);
     m_result.inexact_transitions = inexact.size();
     if(!inexact.empty())
     {
@@ -162,7 +149,7 @@ private:
   bool stop()
   {
     m_result.status = Quad_extraction_status::STOPPED;
-    m_result.message = "stopped on request";
+    m_result.message = "The visitor stopped the extraction.";
     return false;
   }
 
@@ -205,8 +192,6 @@ private:
     }
   }
 
-  const Grid_location& location(int n) const { return m_locations[n]; }
-
   // An exact map leaves nothing to do here, and all faces of its graph are quads.
   void repair()
   {
@@ -219,7 +204,7 @@ private:
     m_result.singular_vertices_off_grid = number_of_singular_vertices_off_grid(m_map);
 
     Grid_graph_repair graph_repair(m_graph);
-    graph_repair();
+    graph_repair(m_progress);
     m_result.cancelled_crossings = graph_repair.cancelled_crossings;
     m_result.merged_vertices = graph_repair.merged_nodes;
     m_result.removed_edges = graph_repair.removed_edges;
@@ -295,7 +280,8 @@ private:
     for(int d : m_graph.degree)
       ++(d == 4 ? m_result.quads : m_result.other_faces);
     summarize_vertices();
-    m_result.same_topology = topology_figures(m_map.mesh) == topology_figures(m_graph, m_node_of_vertex.size());
+    m_result.same_topology = surface_topology(halfedge_arrays(m_map.mesh)) ==
+                             surface_topology(halfedge_arrays(m_graph, m_vertex_of_ray, m_node_of_vertex.size()));
 
     double area = 0;
     for(int f = 0; f < m_map.mesh.number_of_faces(); ++f)
@@ -303,25 +289,25 @@ private:
     m_result.uncovered_area = area - static_cast<double>(m_result.quads);
 
     if(m_graph.number_of_faces() == 0)
-      return fail(is_repaired() ? defects_of_map() + "nothing could be extracted" : "the map covers no complete grid cell");
+      return fail(is_repaired() ? defects_of_map() + "nothing could be extracted." : "The map covers no complete grid cell.");
     if(is_repaired())
     {
       m_result.status = Quad_extraction_status::REPAIRED;
       m_result.message = defects_of_map() + "the mesh has " + std::to_string(m_result.quads) + " quads and "
         + std::to_string(m_result.other_faces) + " other faces, and "
-        + (m_result.same_topology ? "the topology of the input" : "another topology than the input");
+        + (m_result.same_topology ? "the topology of the input." : "another topology than the input.");
     }
     else if(m_result.multiple_edges > 0)
     {
       m_result.status = Quad_extraction_status::NOT_SIMPLE;
-      m_result.message = "the grid is too coarse: " + std::to_string(m_result.multiple_edges)
-        + " edges join vertices that another edge joins already";
+      m_result.message = "The grid is too coarse: " + std::to_string(m_result.multiple_edges)
+        + " edges join vertices that another edge joins already.";
     }
     else
     {
       m_result.status = Quad_extraction_status::VALID;
-      m_result.message = std::to_string(m_result.quads) + " quads, " + std::to_string(m_result.irregular_vertices)
-        + " irregular inner vertices";
+      m_result.message = "The mesh has " + std::to_string(m_result.quads) + " quads and "
+        + std::to_string(m_result.irregular_vertices) + " irregular inner vertices.";
     }
     return true;
   }
@@ -340,7 +326,7 @@ private:
     add(m_result.degenerate_faces.size(), " triangles have no area");
     add(m_result.inconsistent_transitions, " transitions are inconsistent");
     add(m_result.singular_vertices_off_grid, " singular vertices are not on grid points");
-    return "the map is no integer-grid map" + (s.empty() ? s : " (" + s + ")") + "; ";
+    return "The map is no integer-grid map" + (s.empty() ? s : " (" + s + ")") + "; ";
   }
 
   bool is_repaired() const

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_CELLS_WITH_HOLES_H
 
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_graph.h>
+#include <CGAL/Quad_meshing/Extraction/internal/Isoline_tracer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,7 @@ private:
     };
     int cell = -1;
     for(std::size_t i = 0; i < vertices.size() && cell == -1; ++i)
-      for_each_sector(m_mesh, vertices[i], [&](int h)
+      for_each_corner_of_vertex(m_mesh, vertices[i], [&](int h)
       {
         if(is_inside_cell(h))
         {

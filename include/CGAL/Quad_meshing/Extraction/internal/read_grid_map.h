@@ -11,9 +11,6 @@
 
 #include <CGAL/Quad_meshing/Extraction/internal/Grid_map.h>
 
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -29,25 +26,7 @@ const double largest_grid_coordinate = 4294967296.;
 // More grid points than this take more than about 3 GB, and are hardly asked for on purpose.
 const double largest_number_of_grid_points = 2e7;
 
-// Copies the corners of all faces. `uv` gives the corner at the target of a halfedge.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceIndexMap>
-void copy_corners(const TriangleMesh& tm, HalfedgeUVMap uv, FaceIndexMap fim, Grid_map& map)
-{
-  map.uv.resize(map.mesh.number_of_halfedges());
-  for(auto f : faces(tm))
-  {
-    auto h = halfedge(f, tm);
-    const std::size_t i = 3 * static_cast<std::size_t>(get(fim, f));
-    for(std::size_t k = 1; k <= 3; ++k)
-    {
-      const auto& p = get(uv, h);
-      map.uv[i + k % 3] = Grid_map::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-      h = next(h, tm);
-    }
-  }
-}
-
-// Says what is wrong with the coordinates as such; an empty string if nothing is.
+// Says what is wrong with the coordinates as such, in a sentence; an empty string if nothing is.
 inline std::string defect_of_coordinates(const Grid_map& map)
 {
   double points = 0, total_area = 0;
@@ -58,9 +37,9 @@ inline std::string defect_of_coordinates(const Grid_map& map)
     for(int k = 0; k < 3; ++k)
     {
       if(!std::isfinite(c[k].x()) || !std::isfinite(c[k].y()))
-        return "the map has a coordinate that is not a number, in face " + std::to_string(f);
+        return "The map has a coordinate that is not a number, in face " + std::to_string(f) + ".";
       if(std::fabs(c[k].x()) > largest_grid_coordinate || std::fabs(c[k].y()) > largest_grid_coordinate)
-        return "the map has a coordinate beyond 2^32, in face " + std::to_string(f);
+        return "The map has a coordinate beyond 2^32, in face " + std::to_string(f) + ".";
       x0 = (std::min)(x0, c[k].x()); x1 = (std::max)(x1, c[k].x());
       y0 = (std::min)(y0, c[k].y()); y1 = (std::max)(y1, c[k].y());
     }
@@ -71,9 +50,10 @@ inline std::string defect_of_coordinates(const Grid_map& map)
     points += area + (std::min)(x1 - x0, y1 - y0) + 0.1 * (y1 - y0);
   }
   if(total_area == 0 && map.mesh.number_of_faces() > 0)
-    return "no triangle has any area in the map";
+    return "No triangle has any area in the map.";
   if(points > largest_number_of_grid_points)
-    return "the map covers more than " + std::to_string(static_cast<long long>(largest_number_of_grid_points)) + " grid points";
+    return "The map covers more than " + std::to_string(static_cast<long long>(largest_number_of_grid_points)) +
+           " grid points.";
   return std::string();
 }
 

@@ -10,9 +10,9 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_CREASE_GRAPH_H
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -26,26 +26,25 @@ class Crease_graph
 public:
   typedef Simple_cartesian<double>::Point_3 Point_3;
 
-  std::vector<Point_3> points;  // per vertex
   std::vector<bool> is_held;    // per vertex: a crease that ends here does not end freely
   std::vector<bool> is_kept;    // per edge
 
-  explicit Crease_graph(std::size_t number_of_vertices)
-    : points(number_of_vertices), is_held(number_of_vertices, false), incident(number_of_vertices)
+  explicit Crease_graph(const std::vector<Point_3>& points)
+    : is_held(points.size(), false), m_points(points), m_incident(points.size())
   {}
 
   void add_edge(int v, int w)
   {
-    const int e = static_cast<int>(ends.size());
-    ends.push_back({{ v, w }});
+    const int e = static_cast<int>(m_ends.size());
+    m_ends.push_back({{ v, w }});
     is_kept.push_back(true);
-    incident[v].push_back(e);
-    incident[w].push_back(e);
+    m_incident[v].push_back(e);
+    m_incident[w].push_back(e);
   }
 
-  double distance(int v, int w) const { return CGAL::approximate_sqrt((points[v] - points[w]).squared_length()); }
+  double distance(int v, int w) const { return std::sqrt((m_points[v] - m_points[w]).squared_length()); }
 
-  double length(int e) const { return distance(ends[e][0], ends[e][1]); }
+  double length(int e) const { return distance(m_ends[e][0], m_ends[e][1]); }
 
   // Drops branches and components until nothing changes; returns the number of pieces that were dropped.
   std::size_t drop_noise(double quad_edge_length)
@@ -58,8 +57,8 @@ public:
     std::size_t dropped = 0;
     while(drop_short_branches(shortest_branch, dropped))
       ;
-    std::vector<bool> seen(points.size(), false);
-    for(int s = 0; s < static_cast<int>(points.size()); ++s)
+    std::vector<bool> seen(m_points.size(), false);
+    for(int s = 0; s < static_cast<int>(m_points.size()); ++s)
     {
       if(seen[s] || degree(s) == 0)
         continue;
@@ -69,7 +68,7 @@ public:
       for(int e : component)
       {
         total += length(e);
-        for(int v : ends[e])
+        for(int v : m_ends[e])
           ends_freely = ends_freely || (degree(v) == 1 && !is_held[v]);
       }
       if(total < (ends_freely ? shortest_open : shortest_closed) ||
@@ -85,15 +84,16 @@ public:
   }
 
 private:
-  std::vector<std::array<int, 2> > ends;   // per edge
-  std::vector<std::vector<int> > incident; // per vertex: all edges, kept or not
+  const std::vector<Point_3>& m_points;      // per vertex
+  std::vector<std::array<int, 2> > m_ends;   // per edge
+  std::vector<std::vector<int> > m_incident; // per vertex: all edges, kept or not
 
-  int other_end(int e, int v) const { return ends[e][0] == v ? ends[e][1] : ends[e][0]; }
+  int other_end(int e, int v) const { return m_ends[e][0] == v ? m_ends[e][1] : m_ends[e][0]; }
 
   int degree(int v) const
   {
     int d = 0;
-    for(int e : incident[v])
+    for(int e : m_incident[v])
       d += is_kept[e];
     return d;
   }
@@ -106,7 +106,7 @@ private:
     v = other_end(e, v);
     while(v != start && !is_node(v))
     {
-      for(int f : incident[v])
+      for(int f : m_incident[v])
         if(is_kept[f] && f != result.back())
         {
           result.push_back(f);
@@ -120,12 +120,12 @@ private:
   bool drop_short_branches(double shortest, std::size_t& dropped)
   {
     bool changed = false;
-    for(int v = 0; v < static_cast<int>(points.size()); ++v)
+    for(int v = 0; v < static_cast<int>(m_points.size()); ++v)
     {
       if(degree(v) != 1 || is_held[v])
         continue;
       int first = -1;
-      for(int e : incident[v])
+      for(int e : m_incident[v])
         if(is_kept[e])
           first = e;
       const std::vector<int> branch = chain(v, first);
@@ -154,11 +154,11 @@ private:
     {
       const int v = stack.back();
       stack.pop_back();
-      for(int e : incident[v])
+      for(int e : m_incident[v])
       {
         if(!is_kept[e])
           continue;
-        if(ends[e][0] == v)
+        if(m_ends[e][0] == v)
           edges.push_back(e); // once, from its first end
         const int w = other_end(e, v);
         if(!seen[w])
@@ -181,7 +181,7 @@ private:
     for(int e : component)
     {
       total += length(e);
-      for(int v : ends[e])
+      for(int v : m_ends[e])
         ends_at_nodes += is_node(v);
     }
     return ends_at_nodes == 0 ? total : 2 * total / ends_at_nodes;
@@ -210,21 +210,21 @@ private:
           break; // the last pieces are shorter; one piece of a short chain counts
         if(at[j] > at[i])
         {
-          sum += CGAL::approximate_sqrt((points[path[j]] - points[path[i]]).squared_length()) / (at[j] - at[i]);
+          sum += std::sqrt((m_points[path[j]] - m_points[path[i]]).squared_length()) / (at[j] - at[i]);
           ++count;
         }
       }
     };
     bool has_nodes = false;
     for(int e : component)
-      for(int v : ends[e])
+      for(int v : m_ends[e])
         if(is_node(v))
         {
           has_nodes = true;
           measure(v, chain(v, e));
         }
     if(!has_nodes)
-      measure(ends[component.front()][0], chain(ends[component.front()][0], component.front()));
+      measure(m_ends[component.front()][0], chain(m_ends[component.front()][0], component.front()));
     return count > 0 ? sum / count : 1.;
   }
 };

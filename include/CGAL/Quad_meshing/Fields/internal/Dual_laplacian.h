@@ -10,12 +10,16 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_DUAL_LAPLACIAN_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/internal/run_aside.h>
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,13 +44,13 @@ struct Sparse_vector
 // and the residuals by d pi/2 times the column e of P. With the Cholesky factor A = L L' the entries
 // are P_ef = [e = f] - <y_e, y_f>, y_e = L^-1 B'_e, and y_e is sparse: it lives on the paths of
 // two faces to the root of the elimination tree. So single entries of P cost microseconds.
+//
+// An angle that is given softly is an edge to a face that has it: a further row of B, whose jump does not change.
 class Dual_laplacian
 {
 public:
-  typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> Permutation;
-
-  explicit Dual_laplacian(const Field_problem& problem)
+  // Not valid if the visitor stops it.
+  Dual_laplacian(const Field_problem& problem, Stage_progress& progress)
     : m_problem(problem)
   {
     m_row.assign(problem.mesh.number_of_faces(), -1);
@@ -74,25 +78,40 @@ public:
       if(f != -1)
         entries.emplace_back(m_row[f], m_row[f], 1.);
 
-    Matrix a(n, n);
-    a.setFromTriplets(entries.begin(), entries.end());
-    Permutation inverse;
-    Eigen::AMDOrdering<int>()(a, inverse);
-    m_permutation = inverse.inverse();
-    Matrix permuted(n, n);
-    permuted.selfadjointView<Eigen::Lower>() = a.selfadjointView<Eigen::Lower>().twistedBy(m_permutation);
-    m_cholesky.compute(permuted);
+    for(std::size_t f = 0; f < problem.soft_weight.size(); ++f)
+      if(m_row[f] != -1 && problem.soft_weight[f] > 0)
+        entries.emplace_back(m_row[f], m_row[f], problem.soft_weight[f]);
+
+    const auto data = std::make_shared<Factorization>();
+    data->matrix.resize(n, n);
+    data->matrix.setFromTriplets(entries.begin(), entries.end());
+    const bool is_done = run_aside(n, progress, data, [](Factorization& f)
+    {
+      if(f.cholesky.compute(f.matrix))
+        f.factor = f.cholesky.factor();
+    });
     m_work.assign(n, 0.);
+    if(!is_done || !data->factor)
+      return;
+    m_cholesky = std::move(data->cholesky);
+    m_factor = std::move(data->factor);
+    m_row_of_factor.resize(n);
+    for(int i = 0; i < n; ++i)
+      m_row_of_factor[m_factor->permutation[i]] = i;
   }
 
-  bool is_valid() const { return m_row.empty() || m_cholesky.info() == Eigen::Success; }
+  bool is_valid() const { return m_factor != nullptr; }
   int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
 
-  // Sets the angles of all faces to the best ones for the period jumps of the field.
+  // Sets the angles of all faces to the best ones for the period jumps of the field. Of the directions that are given softly, each
+  // face keeps the one that it has been nearest to.
   void solve_angles(Cross_field& field) const
   {
     const int n = number_of_unknowns();
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n);
+    for(std::size_t f = 0; f < m_problem.soft_weight.size(); ++f)
+      if(m_row[f] != -1 && m_problem.soft_weight[f] > 0)
+        rhs[m_row[f]] = m_problem.soft_weight[f] * m_problem.nearest_soft_angle(static_cast<int>(f), field.angle[f]);
     for(std::size_t f = 0; f < m_row.size(); ++f)
       field.angle[f] = m_row[f] == -1 ? m_problem.given_angle[f] : 0.;
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
@@ -105,9 +124,7 @@ public:
       }
     if(n == 0)
       return;
-    rhs = m_permutation * rhs;
-    rhs = m_cholesky.solve(rhs).eval();
-    rhs = m_permutation.inverse() * rhs;
+    m_cholesky.solve_in_place(rhs.data());
     for(std::size_t f = 0; f < m_row.size(); ++f)
       if(m_row[f] != -1)
         field.angle[f] = rhs[m_row[f]];
@@ -125,13 +142,13 @@ public:
         if(m_problem.is_inner(e))
         {
           const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
-          if(i != -1) side(e, m_permutation.indices()[i], 1);
-          if(j != -1) side(e, m_permutation.indices()[j], -1);
+          if(i != -1) side(e, i, 1);
+          if(j != -1) side(e, j, -1);
         }
     };
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
     for_each_free_side([&](int e, int row, int sign) { sums[row] += sign * x[e]; });
-    sums = m_cholesky.solve(sums).eval();
+    m_cholesky.solve_in_place(sums.data());
     for_each_free_side([&](int e, int row, int sign) { x[e] -= sign * sums[row]; });
   }
 
@@ -142,30 +159,29 @@ public:
     // entries of P, which are at most one, by a few times its size.
     const double negligible = 2e-4;
 
-    const auto& l = m_cholesky.matrixL().nestedExpression();
+    const Cholesky_factor<double>& l = *m_factor;
     Sparse_vector y;
     int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
     if(i == j) // only if both are -1
       return y;
-    if(i != -1) { i = m_permutation.indices()[i]; m_work[i] += 1.; }
-    if(j != -1) { j = m_permutation.indices()[j]; m_work[j] -= 1.; }
+    if(i != -1) { i = m_row_of_factor[i]; m_work[i] += 1.; }
+    if(j != -1) { j = m_row_of_factor[j]; m_work[j] -= 1.; }
 
     // Follows the two paths upwards in ascending order of columns until they join and end.
     while(i != -1 || j != -1)
     {
       const int column = (j == -1 || (i != -1 && i < j)) ? i : j;
-      const int begin = l.outerIndexPtr()[column];
-      const int end = column_end(l, column);
-      const double x = m_work[column] / l.valuePtr()[begin];
+      const std::size_t begin = l.column_begin[column], end = l.column_begin[column + 1];
+      const double x = m_work[column] / l.value[begin];
       m_work[column] = 0.;
       if(std::abs(x) > negligible)
       {
         y.index.push_back(column);
         y.value.push_back(x);
-        for(int p = begin + 1; p < end; ++p)
-          m_work[l.innerIndexPtr()[p]] -= x * l.valuePtr()[p];
+        for(std::size_t p = begin + 1; p < end; ++p)
+          m_work[l.row[p]] -= x * l.value[p];
       }
-      const int parent = begin + 1 < end ? l.innerIndexPtr()[begin + 1] : -1;
+      const int parent = begin + 1 < end ? l.row[begin + 1] : -1;
       if(i == column) i = parent;
       if(j == column) j = parent;
     }
@@ -173,16 +189,18 @@ public:
   }
 
 private:
-  template <typename Factor>
-  static int column_end(const Factor& l, int column)
+  struct Factorization
   {
-    return l.isCompressed() ? l.outerIndexPtr()[column + 1] : l.outerIndexPtr()[column] + l.innerNonZeroPtr()[column];
-  }
+    Eigen::SparseMatrix<double> matrix;
+    Sparse_cholesky<double> cholesky;
+    std::unique_ptr<Cholesky_factor<double> > factor;
+  };
 
   const Field_problem& m_problem;
-  std::vector<int> m_row;
-  Permutation m_permutation;
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int> > m_cholesky;
+  std::vector<int> m_row;                              // per face: its row in A, -1 if its angle is given
+  Sparse_cholesky<double> m_cholesky;
+  std::unique_ptr<Cholesky_factor<double> > m_factor;
+  std::vector<int> m_row_of_factor;                    // per row of A
   std::vector<double> m_work; // zero between calls
 };
 

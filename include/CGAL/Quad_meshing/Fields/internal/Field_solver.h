@@ -57,22 +57,24 @@ inline int count_integers(const Field_problem& problem)
 class Field_solver
 {
 public:
-  Field_solver(const Field_problem& problem, const Field_options& options, Any_visitor& visitor)
-    : m_problem(problem), m_options(options), m_visitor(visitor)
-    , m_laplacian(problem)
-    , m_polish(problem, m_laplacian)
+  Field_solver(const Field_problem& problem, const Field_options& options, Stage_progress& progress)
+    : m_problem(problem), m_options(options), m_progress(progress)
+    , m_laplacian(problem, progress)
+    , m_polish(problem, m_laplacian, progress)
     , m_costs(singularity_costs(problem, options.target_edge_length))
   {}
 
   Cross_field_status operator()(Cross_field& field, Cross_field_result& result)
   {
-    m_visitor.on_stage_begin("cross field");
     const Cross_field_status status = solve(field, result);
-    m_visitor.on_stage_end("cross field");
-    return status;
+    return m_progress.is_stopped() ? Cross_field_status::STOPPED : status;
   }
 
 private:
+  // How far the progress has come at the end of each part.
+  static constexpr double start_end = 0.2, search_end = 0.9, bound_begin = 0.95;
+
+  // After a stop by the visitor, whatever is computed is not used.
   Cross_field_status solve(Cross_field& field, Cross_field_result& result)
   {
     result.integers = count_integers(m_problem);
@@ -83,9 +85,9 @@ private:
       return Cross_field_status::NUMERICAL_FAILURE;
 
     const bool polished = m_options.method == Cross_field_method::POLISHED, is_for_quads = m_options.target_edge_length > 0;
-    const auto go_further = [&] { return m_visitor.go_further(); };
+    m_progress.begin_part(start_end);
     std::unique_ptr<Jump_annealing> anneal;
-    if(polished && !is_for_quads)
+    if(polished && !is_for_quads && m_problem.soft_weight.empty())
     {
       anneal.reset(new Jump_annealing(m_problem, m_laplacian));
       if(!anneal->is_affordable())
@@ -94,26 +96,29 @@ private:
 
     if(polished || m_options.method == Cross_field_method::REPRESENTATION)
     {
-      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), !polished)(field.angle))
+      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), !polished, m_progress)
+           (field.angle))
         return Cross_field_status::NUMERICAL_FAILURE;
       round_jumps(m_problem, field);
     }
-    else if(!Mixed_integer_field(m_problem).solve(rounding_method(), field))
+    else if(!Mixed_integer_field(m_problem).solve(rounding_method(), field, m_progress))
       return Cross_field_status::NUMERICAL_FAILURE;
+    if(!m_progress.go_further(start_end))
+      return Cross_field_status::STOPPED;
 
+    m_progress.begin_part(search_end);
     m_laplacian.solve_angles(field);
     Sector_quads quads(m_problem, field, m_costs, doublet_cost);
     // The search of the polished field finds better ways around vertices with less than three quads.
     const int least_valence = is_for_quads && !polished ? 3 : 0;
-    if(quads.fill(field, least_valence))
+    if(quads.fill(field, least_valence, m_progress))
       m_laplacian.solve_angles(field);
     result.initial_energy = m_problem.energy(field);
     if(!std::isfinite(result.initial_energy))
       return Cross_field_status::NUMERICAL_FAILURE;
-    m_visitor.progress(0.5);
     if(anneal)
     {
-      if(!(*anneal)(field, quads, go_further))
+      if(!(*anneal)(field, quads, m_progress))
         return Cross_field_status::NUMERICAL_FAILURE;
     }
     else if(polished)
@@ -121,25 +126,29 @@ private:
       // Singularities of high index are kept from each other first, even if smoothness alone is asked for, or single changes could
       // hardly part them.
       if(is_for_quads || quads.has_closed_sector_with_less_than(2))
-        m_polish(field, quads, go_further);
+        m_polish(field, quads);
       if(!is_for_quads)
       {
         quads = Sector_quads(m_problem, field, m_costs, 0.);
-        m_polish(field, quads, go_further);
+        m_polish(field, quads);
       }
-      m_polish.annihilate(field, quads, number_of_trials(), go_further);
+      m_polish.annihilate(field, quads, number_of_trials());
     }
-    if(!m_visitor.go_further())
+    if(!m_progress.go_further(search_end))
       return Cross_field_status::STOPPED;
+    m_progress.begin_part(m_options.number_of_bound_rounds > 0 ? bound_begin : 1.);
     if(is_for_quads)
-      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, quads, field);
-    m_visitor.progress(1.);
+      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, quads, field, m_progress);
 
     result.empty_sectors = quads.number_of_empty_sectors();
     m_problem.normalize(field);
     result.energy = m_problem.energy(field);
     if(m_options.number_of_bound_rounds > 0)
-      result.lower_bound = Mixed_integer_field(m_problem).lower_bound(m_options.number_of_bound_rounds, go_further);
+    {
+      m_progress.begin_part(1.);
+      result.lower_bound = Mixed_integer_field(m_problem).lower_bound(m_options.number_of_bound_rounds, m_progress);
+    }
+    m_progress.go_further(1.);
     return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
   }
 
@@ -174,7 +183,7 @@ private:
 
   const Field_problem& m_problem;
   const Field_options m_options;
-  Any_visitor& m_visitor;
+  Stage_progress& m_progress;
   Dual_laplacian m_laplacian;
   Jump_polish m_polish;
   const std::vector<double> m_costs; // per vertex, of a singularity there

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_potentials.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <array>
@@ -42,9 +43,8 @@ public:
   bool is_affordable() const { return m_potentials.is_small(); }
 
   // The angles of the field are the best ones for its jumps, and so they are again at the end. Returns false
-  // if something could not be factorized; the field is then as before. `go_further` is asked before every fall.
-  template <typename Go_further>
-  bool operator()(Cross_field& field, Sector_quads& quads, const Go_further& go_further)
+  // if something could not be factorized; the field is then as before.
+  bool operator()(Cross_field& field, Sector_quads& quads, Stage_progress& progress)
   {
     // Later ones hardly ever gain. On small meshes they take about as long as all the rest; on larger ones, where the time of each
     // grows with the square of the size, fewer are worth it.
@@ -55,11 +55,11 @@ public:
     if(!m_potentials.compute())
       return false;
     begin(field, quads);
-    for(int fall = 0; fall <= falls && go_further(); ++fall)
+    for(int fall = 0; fall <= falls && progress.go_further(); ++fall)
     {
       m_now = m_best;
       if(fall > 0) // first the minimum next to the start
-        cool_down();
+        cool_down(progress);
       descend();
       m_now.energy = energy();
       if(m_now.energy < m_best.energy - smallest_gain)
@@ -137,7 +137,7 @@ private:
   static constexpr float gain_of_excess = static_cast<float>(2 * quarter_turn);
 
   // Metropolis sweeps over all movable edges at falling temperatures.
-  void cool_down()
+  void cool_down(Stage_progress& progress)
   {
     const int sweeps = 25;
     // In units of the energy. A singularity costs about one half.
@@ -145,7 +145,7 @@ private:
 
     const float factor = std::pow(coldest / hottest, 1.f / sweeps);
     float temperature = hottest;
-    for(int sweep = 0; sweep < sweeps; ++sweep, temperature *= factor)
+    for(int sweep = 0; sweep < sweeps && progress.go_further(); ++sweep, temperature *= factor)
     {
       const float unit = temperature / gain_of_excess, hopeless = -unit * m_deviates[0];
       for(int i = 0; i < m_potentials.number_of_edges(); ++i)

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +68,11 @@ public:
   }
 
   // Adds the edges that have become candidates, and computes all residuals anew.
-  void update(const Cross_field& field, const Sector_quads& quads)
+  void update(const Cross_field& field, const Sector_quads& quads, Stage_progress& progress)
   {
+    const int edges_per_report = 256; // each costs some ten microseconds
+    Small_steps steps(progress, edges_per_report);
+
     const int first_new = size();
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
       if(m_candidate_of_edge[e] == -1 && m_problem.is_movable(e) &&
@@ -78,10 +82,12 @@ public:
         m_candidates.emplace_back();
         m_candidates.back().edge = e;
         m_half_column.push_back(m_laplacian.half_column(e));
+        if(!steps.go_further())
+          break;
       }
     for(Candidate& c : m_candidates)
       c.residual = m_problem.residual(c.edge, field);
-    for(int i = first_new; i < size(); ++i)
+    for(int i = first_new; i < size() && steps.go_further(); ++i)
       compute_entries(i);
   }
 

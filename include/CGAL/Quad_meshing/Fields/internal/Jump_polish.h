@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Jump_candidates.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,26 +38,24 @@ namespace internal {
 class Jump_polish
 {
 public:
-  Jump_polish(const Field_problem& problem, Dual_laplacian& laplacian)
-    : m_problem(problem), m_laplacian(laplacian), m_candidates(problem, laplacian)
+  Jump_polish(const Field_problem& problem, Dual_laplacian& laplacian, Stage_progress& progress)
+    : m_problem(problem), m_laplacian(laplacian), m_progress(progress), m_candidates(problem, laplacian)
   {}
 
   // Moves downhill until no move gains. The angles of the field are the best ones for its jumps, and so they are again at
-  // the end. Returns the energy plus the cost of the sectors. `go_further` is asked between the rounds.
-  template <typename Go_further>
-  double operator()(Cross_field& field, Sector_quads& quads, const Go_further& go_further)
+  // the end. Returns the energy plus the cost of the sectors. If the visitor stops it, the field is of no use.
+  double operator()(Cross_field& field, Sector_quads& quads)
   {
     begin(field, quads);
     enqueue_all();
     descend(field);
-    settle(field, go_further);
+    settle(field);
     return m_total;
   }
 
   // Leaves the local minimum: annihilates a pair of opposite singularities, goes downhill from there, and takes that back if it
   // does not end lower; first all with their nearest partners, then with the second nearest, and so on, at most `trials` times.
-  template <typename Go_further>
-  double annihilate(Cross_field& field, Sector_quads& quads, int trials, const Go_further& go_further)
+  double annihilate(Cross_field& field, Sector_quads& quads, int trials)
   {
     const int most_partners = 3;
 
@@ -65,12 +64,16 @@ public:
     for(int partner = 0; partner < most_partners; ++partner)
       for(int s = 0; s < m_problem.sectors.number_of_sectors(); ++s)
       {
+        if(m_quads->state()[s] == 4 || !m_problem.sectors.closed[s])
+          continue;
+        if(!m_progress.go_further())
+          return m_total;
         const Path path = path_to_opposite(s, partner);
         if(path.empty())
           continue;
-        if(trials-- <= 0 || !go_further())
+        if(trials-- <= 0)
           return m_total;
-        try_path(path, field, go_further);
+        try_path(path, field);
       }
     return m_total;
   }
@@ -94,7 +97,7 @@ private:
 
   void update_candidates(const Cross_field& field)
   {
-    m_candidates.update(field, *m_quads);
+    m_candidates.update(field, *m_quads, m_progress);
     m_is_queued.assign(m_candidates.size(), 0);
   }
 
@@ -112,8 +115,7 @@ private:
 
   // Goes downhill with all angles computed anew, until no move gains, and keeps the result if it is the lowest so far; else the
   // field becomes again what it was when it was lowest.
-  template <typename Go_further>
-  void settle(Cross_field& field, const Go_further& go_further)
+  void settle(Cross_field& field)
   {
     // The residuals of far candidates are only brought up to date between rounds, so a round may leave
     // something for the next; a handful is usual.
@@ -131,7 +133,7 @@ private:
         m_total = total;
         save(field);
       }
-      if(!(total < last - smallest_gain) || !go_further())
+      if(!(total < last - smallest_gain) || !m_progress.go_further())
         break;
       last = total;
       update_candidates(field);
@@ -170,9 +172,14 @@ private:
     // What is neglected of P could make a cycle of moves look like an endless gain.
     std::size_t steps = 4 * static_cast<std::size_t>(m_candidates.size());
 
+    const int moves_per_report = 256; // each costs some ten microseconds
+    Small_steps report(m_progress, moves_per_report);
+
     double total = 0;
     for(; !m_queue.empty(); m_queue.pop_front())
     {
+      if(!report.go_further())
+        steps = 0;
       const int i = m_queue.front();
       m_is_queued[i] = 0;
       if(steps == 0)
@@ -243,7 +250,7 @@ private:
     return best;
   }
 
-  // The path that annihilates the singularity of a sector and the one that is nearest, second nearest ... of the
+  // The path that annihilates the singularity of a closed sector and the one that is nearest, second nearest ... of the
   // opposite ones; empty if there is none within reach.
   Path path_to_opposite(int from, int partner)
   {
@@ -252,8 +259,6 @@ private:
     const Indexed_triangle_mesh& m = m_problem.mesh;
     const Field_sectors& sectors = m_problem.sectors;
     const Sector_quads::State& quads = m_quads->state();
-    if(quads[from] == 4 || !sectors.closed[from])
-      return Path();
     const int gain = quads[from] < 4 ? 1 : -1; // of quads there
     ++m_visit;
     m_visited.resize(sectors.number_of_sectors(), 0);
@@ -293,8 +298,7 @@ private:
   }
 
   // Annihilates the singularities at the ends of a path, and keeps what follows if it ends lower.
-  template <typename Go_further>
-  void try_path(const Path& path, Cross_field& field, const Go_further& go_further)
+  void try_path(const Path& path, Cross_field& field)
   {
     // A change of a residual that may make a move gain, and an increase of the energy that the search with all angles and candidates
     // computed anew may still make up for.
@@ -311,7 +315,7 @@ private:
         enqueue(i);
     change += descend(field);
     if(change < hopeful)
-      return settle(field, go_further);
+      return settle(field);
 
     for(std::size_t k = m_log.size(); k-- > 0;)
       change_jump(m_candidates[m_log[k].candidate].edge, -m_log[k].by, field);
@@ -338,6 +342,7 @@ private:
 
   const Field_problem& m_problem;
   Dual_laplacian& m_laplacian;
+  Stage_progress& m_progress;
   Jump_candidates m_candidates;
 
   // Of the running call: the quads, the best field with exact angles, and its energy plus the cost of its sectors.

@@ -12,20 +12,19 @@
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/internal/Distance_front.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The smoothest cross field as a mixed-integer problem, as the thesis poses it in 8.2.
+// The smoothest cross field as a mixed-integer problem, as [Bom12, 8.2] poses it.
 //
 // A turn of one cross by a right angle changes its angle and the jumps around it, but not the
 // field. So one jump per free face can be fixed: those on a forest of dual trees that grow from the
@@ -47,8 +46,7 @@ public:
   const Mixed_integer_problem& system() const { return m_system; }
 
   // No field has less energy.
-  template <typename Go_further>
-  double lower_bound(int rounds, const Go_further& go_further) const
+  double lower_bound(int rounds, Stage_progress& progress) const
   {
     // Enumeration proves little here; most of the time belongs to the relaxation.
     const double nodes = 1e5;
@@ -63,22 +61,22 @@ public:
       }
     if(m_system.number_of_variables() == 0)
       return between_given_faces;
-    Question<Go_further> question{ go_further };
+    Step_visitor visitor(progress);
     const double bound = solve_mixed_integer(m_system, parameters::rounding_method(Rounding_method::LATTICE)
-                                                           .maximum_number_of_nodes(nodes)
-                                                           .number_of_bound_rounds(rounds)
-                                                           .visitor(std::ref(question)))
-                             .lower_bound;
+                                                         .maximum_number_of_nodes(nodes)
+                                                         .number_of_bound_rounds(rounds)
+                                                         .visitor(std::ref(visitor))).lower_bound;
     return between_given_faces + (std::max)(0., bound);
   }
 
   // Sets the field to the solution found by a method for mixed-integer problems. Returns false if there is none.
-  bool solve(Rounding_method method, Cross_field& field) const
+  bool solve(Rounding_method method, Cross_field& field, Stage_progress& progress) const
   {
     Eigen::VectorXd x;
     if(m_system.number_of_variables() > 0)
     {
-      x = solve_mixed_integer(m_system, parameters::rounding_method(method)).x;
+      Step_visitor visitor(progress);
+      x = solve_mixed_integer(m_system, parameters::rounding_method(method).visitor(std::ref(visitor))).x;
       if(x.size() == 0)
         return false;
     }
@@ -92,14 +90,6 @@ public:
   }
 
 private:
-  template <typename Go_further>
-  struct Question : Default_visitor
-  {
-    const Go_further& ask;
-    explicit Question(const Go_further& go_further) : ask(go_further) {}
-    bool go_further() { return ask(); }
-  };
-
   bool is_between_given_faces(int e) const
   {
     return m_problem.constrained[m_problem.first_face(e)] && m_problem.constrained[m_problem.second_face(e)];
@@ -115,49 +105,31 @@ private:
 
   void grow_forest()
   {
-    typedef std::pair<double, int> Entry;
     const int nf = m_mesh.number_of_faces();
     m_in_forest.assign(m_mesh.number_of_edges(), 0);
-    std::vector<double> distance(nf, std::numeric_limits<double>::infinity());
     std::vector<int> parent_edge(nf, -1);
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-    auto add_root = [&](int f)
-    {
-      distance[f] = 0;
-      queue.push(Entry(0., f));
-    };
+    Distance_front front(nf);
     for(int f = 0; f < nf; ++f)
       if(m_problem.constrained[f])
-        add_root(f);
+        front.reach(f, 0.);
     for(int f : m_problem.anchor)
       if(f != -1)
-        add_root(f);
+        front.reach(f, 0.);
     auto centroid = [&](int f)
     {
       const std::array<int, 3>& c = m_mesh.corners[f];
       return CGAL::centroid(m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]]);
     };
-    while(!queue.empty())
-    {
-      const Entry top = queue.top();
-      queue.pop();
-      const int f = top.second;
-      if(top.first > distance[f])
-        continue;
+    int f;
+    for(double length; front.pop(f, length);)
       for(int h = 3 * f; h < 3 * f + 3; ++h)
       {
         if(m_mesh.opposite[h] == -1)
           continue;
         const int g = m_mesh.opposite[h] / 3;
-        const double d = top.first + std::sqrt((centroid(g) - centroid(f)).squared_length());
-        if(d < distance[g])
-        {
-          distance[g] = d;
+        if(front.reach(g, length + std::sqrt((centroid(g) - centroid(f)).squared_length())))
           parent_edge[g] = m_mesh.edge_of[h];
-          queue.push(Entry(d, g));
-        }
       }
-    }
     for(int e : parent_edge)
       if(e != -1)
         m_in_forest[e] = 1;

@@ -10,8 +10,10 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_REPRESENTATION_FIELD_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ namespace internal {
 // harmonic extension solves one linear system; a component without any takes the eigenvector of the
 // smallest eigenvalue, by inverse iteration.
 //
-// With all weights one, the energy is that of the period jumps (thesis 8.2). With w the length of an edge over the distance of
+// With all weights one, the energy is that of the period jumps [Bom12, 8.2]. With w the length of an edge over the distance of
 // the two centroids from each other across it, it approaches that of the surface, whatever the triangles are like.
 //
 // The field is a start for a local search, so it need not be exact: it is computed for clusters of
@@ -40,8 +42,9 @@ class Representation_field
 {
 public:
   // With at least as many clusters as faces the field is exact.
-  Representation_field(const Field_problem& problem, int number_of_clusters, bool has_surface_weights)
-    : m_problem(problem), m_mesh(problem.mesh)
+  Representation_field(const Field_problem& problem, int number_of_clusters, bool has_surface_weights,
+                       Stage_progress& progress)
+    : m_problem(problem), m_mesh(problem.mesh), m_progress(progress)
     , m_cluster_size((std::max)(1, problem.mesh.number_of_faces() / number_of_clusters))
     , m_weight(problem.mesh.number_of_edges(), 1.)
   {
@@ -49,7 +52,7 @@ public:
       set_surface_weights();
   }
 
-  // Sets the angles of all faces. Returns false if a factorization fails.
+  // Sets the angles of all faces. Returns false if a factorization fails. If the visitor stops it, the angles are of no use.
   bool operator()(std::vector<double>& angle)
   {
     make_clusters();
@@ -162,15 +165,17 @@ private:
       else
         given[j] += weight * std::conj(v) * w * std::polar(1., 4 * m_problem.given_angle[f]);
     }
+    for(std::size_t f = 0; f < m_problem.soft_weight.size(); ++f)
+      if(m_cluster[f] != -1 && m_problem.soft_weight[f] > 0)
+      {
+        entries.emplace_back(m_cluster[f], m_cluster[f], m_problem.soft_weight[f]);
+        given[m_cluster[f]] += m_problem.soft_weight[f] * std::conj(m_phase[f]) * std::polar(1., 4 * m_problem.soft_angle[f]);
+      }
     Eigen::SparseMatrix<Complex> a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<Complex>, Eigen::Lower> cholesky;
-    if(n > 0)
-    {
-      cholesky.compute(a);
-      if(cholesky.info() != Eigen::Success)
-        return false;
-    }
+    Sparse_cholesky<Complex> cholesky;
+    if(!cholesky.compute(a))
+      return false;
 
     std::vector<char> is_free(m_problem.anchor.size());
     bool any_free = false;
@@ -183,6 +188,8 @@ private:
     Vector z = Vector::Ones(n);
     for(int iteration = 0; n > 0 && iteration < (any_free ? inverse_iterations : 1); ++iteration)
     {
+      if(!m_progress.go_further())
+        break;
       Vector rhs = given;
       for(int i = 0; i < n; ++i)
         if(is_free[m_component_of_cluster[i]])
@@ -213,7 +220,7 @@ private:
     std::vector<Complex> across(m_mesh.number_of_edges()); // weighted
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
       across[e] = m_weight[e] * transport(m_mesh.halfedge_of_edge[e]);
-    for(int sweep = 0; sweep < sweeps; ++sweep)
+    for(int sweep = 0; sweep < sweeps && m_progress.go_further(); ++sweep)
       for(int i = 0; i < nf; ++i)
       {
         const int f = sweep % 2 == 0 ? i : nf - 1 - i;
@@ -221,6 +228,11 @@ private:
           continue;
         Complex sum = 0.;
         double degree = 0;
+        if(!m_problem.soft_weight.empty() && m_problem.soft_weight[f] > 0)
+        {
+          degree = m_problem.soft_weight[f];
+          sum = degree * std::polar(1., 4 * m_problem.soft_angle[f]);
+        }
         for(int h = 3 * f; h < 3 * f + 3; ++h)
         {
           if(m_mesh.opposite[h] == -1)
@@ -237,6 +249,7 @@ private:
 
   const Field_problem& m_problem;
   const Indexed_triangle_mesh& m_mesh;
+  Stage_progress& m_progress;
   const int m_cluster_size;
   std::vector<double> m_weight;             // per edge
   std::vector<int> m_cluster;               // per face, -1 if its angle is given

@@ -11,14 +11,15 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -164,12 +165,16 @@ private:
       entries.emplace_back(r, r, 1.);
     Eigen::SparseMatrix<double> a(m_size, m_size);
     a.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > cholesky(a);
-    if(cholesky.info() != Eigen::Success)
+    Sparse_cholesky<double> cholesky;
+    if(!cholesky.compute(a))
       return false;
+    const std::unique_ptr<Cholesky_factor<double> > l = cholesky.factor();
 
-    // Rows are numbered as in the factorization L D L' from here on.
-    auto renumber = [&](int& r) { r = r == m_size ? r : cholesky.permutationP().indices()[r]; };
+    // Rows are numbered as in the factorization L L' from here on.
+    std::vector<int> number(m_size);
+    for(int i = 0; i < m_size; ++i)
+      number[l->permutation[i]] = i;
+    auto renumber = [&](int& r) { r = r == m_size ? r : number[r]; };
     for(int& r : m_row)
       renumber(r);
     for(Edge& e : m_edges)
@@ -178,21 +183,19 @@ private:
       renumber(e.taker);
     }
 
-    // G L = L'^-1 D^-1 is upper triangular with the diagonal of D^-1, so the columns of G follow from each other, last one first:
-    // a few additions of vectors each, as L is sparse.
-    typedef Eigen::SparseMatrix<double> Factor;
-    const Factor& l = cholesky.matrixL().nestedExpression();
+    // With M = L scaled to a unit diagonal, and D that diagonal squared, G M = M'^-1 D^-1 is upper triangular with the diagonal of
+    // D^-1, so the columns of G follow from each other, last one first: a few additions of vectors each, as L is sparse.
     for(int j = m_size - 1; j >= 0; --j)
     {
       const int below = m_size - 1 - j;
+      const std::size_t begin = l->column_begin[j], end = l->column_begin[j + 1];
+      const double d = l->value[begin];
       auto column = m_inverse.col(j).segment(j + 1, below);
-      double diagonal = 1 / cholesky.vectorD()[j];
-      for(Factor::InnerIterator it(l, j); it; ++it)
-        if(it.index() > j)
-          column -= static_cast<float>(it.value()) * m_inverse.col(it.index()).segment(j + 1, below);
-      for(Factor::InnerIterator it(l, j); it; ++it)
-        if(it.index() > j)
-          diagonal -= it.value() * m_inverse(it.index(), j);
+      double diagonal = 1 / (d * d);
+      for(std::size_t p = begin + 1; p < end; ++p)
+        column -= static_cast<float>(l->value[p] / d) * m_inverse.col(l->row[p]).segment(j + 1, below);
+      for(std::size_t p = begin + 1; p < end; ++p)
+        diagonal -= l->value[p] / d * m_inverse(l->row[p], j);
       m_inverse(j, j) = static_cast<float>(diagonal);
       m_inverse.row(j).segment(j + 1, below) = column;
     }

@@ -10,12 +10,11 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_SECTOR_QUADS_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/internal/Distance_front.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -106,12 +105,12 @@ public:
   // Gives quads to empty sectors and to inner vertices with less than `least_valence`, by changes of jumps along the cheapest paths to
   // sectors that can spare one. What a path costs is estimated from the residuals alone; a local search that follows
   // finds better places. Sectors of one face that no jump can reach stay as they are. Returns whether anything changed.
-  bool fill(Cross_field& field, int least_valence)
+  bool fill(Cross_field& field, int least_valence, Stage_progress& progress)
   {
     bool has_changed = false;
     set_valences();
     for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
-      while(lacks_quads(s, m_quads[s], least_valence) && fetch_quad(s, field, least_valence))
+      while(lacks_quads(s, m_quads[s], least_valence) && progress.go_further() && fetch_quad(s, field, least_valence))
         has_changed = true;
     return has_changed;
   }
@@ -185,24 +184,17 @@ private:
 
   bool fetch_quad(int receiver, Cross_field& field, int least_valence)
   {
-    typedef std::pair<double, int> Entry;
     const Indexed_triangle_mesh& m = m_problem->mesh;
     // The self-energy of a jump, see Jump_polish; keeps the lengths of all steps positive.
     const double self_energy = quarter_turn * quarter_turn / 3;
     const double shortest_step = 0.01;
 
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+    Distance_front front(m_problem->sectors.number_of_sectors());
     std::vector<int> from_halfedge(m_problem->sectors.number_of_sectors(), -1);
-    std::vector<double> distance(m_problem->sectors.number_of_sectors(), std::numeric_limits<double>::infinity());
-    distance[receiver] = 0;
-    queue.push(Entry(0., receiver));
-    while(!queue.empty())
+    front.reach(receiver, 0.);
+    int s;
+    for(double length; front.pop(s, length);)
     {
-      const Entry top = queue.top();
-      queue.pop();
-      const int s = top.second;
-      if(top.first > distance[s])
-        continue;
       if(s != receiver && !lacks_quads(s, m_quads[s] - 1, least_valence))
       {
         for(int t = s; t != receiver; t = m_problem->sectors.of_corner[from_halfedge[t]])
@@ -224,12 +216,8 @@ private:
           const int by = m.halfedge_of_edge[e] == h ? -1 : 1;
           const int t = m_problem->sectors.of_corner[m.next(h)];
           const double step = (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem->residual(e, field));
-          if(top.first + step < distance[t])
-          {
-            distance[t] = top.first + step;
+          if(front.reach(t, length + step))
             from_halfedge[t] = h;
-            queue.push(Entry(distance[t], t));
-          }
         }
         h = m.next_around_source(h);
         if(h == first)

@@ -12,14 +12,12 @@
 #include <CGAL/Quad_meshing/Fields/internal/Dual_laplacian.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/Sector_quads.h>
+#include <CGAL/Quad_meshing/internal/Distance_front.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,33 +53,29 @@ struct Singularity_pair
 const double one_quad_too_many = 0.75;
 
 // Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than that in
-// space, which is what a map cannot tell apart, on a path not much longer.
+// space, which is what a map cannot tell apart, on a path not much longer. `front` and `arrived_by`, the halfedge by which a sector
+// was reached, are work space of one entry per sector.
 inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads, const std::vector<double>& fitting,
-                                int sector, double reach, std::vector<Singularity_pair>& pairs)
+                                int sector, double reach, Distance_front& front, std::vector<int>& arrived_by,
+                                std::vector<Singularity_pair>& pairs)
 {
   // A path along edges of equilateral triangles is up to 2/sqrt(3) times as long as the way it stands for.
   const double detour = 1.2;
 
-  typedef std::pair<double, int> Entry;
   const Indexed_triangle_mesh& m = problem.mesh;
   const Field_sectors& sectors = problem.sectors;
 
-  std::map<int, std::pair<double, int> > reached; // per sector: distance and halfedge that leads there
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  reached[sector] = std::make_pair(0., -1);
-  queue.push(Entry(0., sector));
-  while(!queue.empty())
+  front.clear();
+  front.reach(sector, 0.);
+  arrived_by[sector] = -1;
+  int s;
+  for(double length; front.pop(s, length);)
   {
-    const Entry top = queue.top();
-    queue.pop();
-    const int s = top.second;
-    if(top.first > reached[s].first)
-      continue;
     const double straight = (m.points[sectors.vertex[s]] - m.points[sectors.vertex[sector]]).squared_length();
     if(quads[s] - fitting[s] > one_quad_too_many && straight < reach * reach)
     {
-      Singularity_pair pair = { top.first, sector, s, std::vector<int>() };
-      for(int h = reached[s].second; h != -1; h = reached[sectors.of_corner[h]].second)
+      Singularity_pair pair = { length, sector, s, std::vector<int>() };
+      for(int h = arrived_by[s]; h != -1; h = arrived_by[sectors.of_corner[h]])
         pair.path.push_back(h);
       pairs.push_back(pair);
     }
@@ -91,16 +85,9 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
     for(int h = first; h != -1 && sectors.of_corner[h] == s;)
     {
       const int t = sectors.of_corner[m.next(h)];
-      const double d = top.first + std::sqrt(m.vector(h).squared_length());
-      if(d < detour * reach && problem.is_movable(m.edge_of[h]))
-      {
-        const auto found = reached.find(t);
-        if(found == reached.end() || d < found->second.first)
-        {
-          reached[t] = std::make_pair(d, h);
-          queue.push(Entry(d, t));
-        }
-      }
+      const double d = length + std::sqrt(m.vector(h).squared_length());
+      if(d < detour * reach && problem.is_movable(m.edge_of[h]) && front.reach(t, d))
+        arrived_by[t] = h;
       h = m.next_around_source(h);
       if(h == first)
         break;
@@ -113,18 +100,20 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
 // moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a quad more or
 // less than its angle fits.
 inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach, Sector_quads& quads,
-                              Cross_field& field)
+                              Cross_field& field, Stage_progress& progress)
 {
   const std::vector<double> fitting = fitting_quads(problem);
   auto excess = [&](int s) { return quads.state()[s] - fitting[s]; };
   const int n = problem.sectors.number_of_sectors();
   bool has_changed = false;
+  Distance_front front(n);
+  std::vector<int> arrived_by(n, -1);
   for(;;)
   {
     std::vector<Singularity_pair> pairs;
     for(int s = 0; s < n; ++s)
-      if(excess(s) < -one_quad_too_many)
-        find_close_partners(problem, quads.state(), fitting, s, reach, pairs);
+      if(excess(s) < -one_quad_too_many && progress.go_further())
+        find_close_partners(problem, quads.state(), fitting, s, reach, front, arrived_by, pairs);
     if(pairs.empty())
       break;
     std::stable_sort(pairs.begin(), pairs.end(),

@@ -10,13 +10,9 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_SINGULARITY_COSTS_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/internal/Distance_front.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,8 +25,6 @@ namespace internal {
 // the faces at the aligned edges.
 inline std::vector<double> singularity_costs(const Field_problem& problem, double target_edge_length)
 {
-  typedef std::pair<double, int> Entry;
-
   // A singularity costs about 0.5 of smoothness energy; so much is worth avoiding the trap.
   const double trap_cost = 0.3;
 
@@ -40,15 +34,11 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
   if(!(reach > 0))
     return cost;
 
-  std::vector<double> distance(m.number_of_vertices(), std::numeric_limits<double>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  Distance_front front(m.number_of_vertices());
   auto reach_vertex = [&](int v, double d)
   {
-    if(d < reach && d < distance[v])
-    {
-      distance[v] = d;
-      queue.push(Entry(d, v));
-    }
+    if(d < reach)
+      front.reach(v, d);
   };
   for(int h = 0; h < m.number_of_halfedges(); ++h)
     if(problem.aligned[m.edge_of[h]])
@@ -65,17 +55,13 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
     if(m.opposite[h] == -1)
       around[m.target(h)].push_back(h);
   }
-  while(!queue.empty())
+  int v;
+  for(double d; front.pop(v, d);)
   {
-    const Entry top = queue.top();
-    queue.pop();
-    const int v = top.second;
-    if(top.first > distance[v])
-      continue;
-    if(top.first > 0)
+    if(d > 0)
       cost[v] = trap_cost;
     for(int h : around[v])
-      reach_vertex(m.source(h) == v ? m.target(h) : m.source(h), top.first + std::sqrt(m.vector(h).squared_length()));
+      reach_vertex(m.source(h) == v ? m.target(h) : m.source(h), d + std::sqrt(m.vector(h).squared_length()));
   }
   return cost;
 }

@@ -20,7 +20,13 @@ CGAL_QUAD_MESHING_INLINE Cross_field_status
 solve_field(const Field_problem& problem, const Field_options& options, Any_visitor& visitor, Cross_field& field,
             Cross_field_result& result)
 {
-  return Field_solver(problem, options, visitor)(field, result);
+  const Visited_stage stage(visitor, "cross field");
+  Stage_progress progress(visitor);
+  const double factorized = 0.1;
+  progress.begin_part(factorized);
+  if(!progress.go_further())
+    return Cross_field_status::STOPPED;
+  return Field_solver(problem, options, progress)(field, result);
 }
 
 CGAL_QUAD_MESHING_INLINE std::vector<int> field_indices(const Field_problem& problem, const Cross_field& field)

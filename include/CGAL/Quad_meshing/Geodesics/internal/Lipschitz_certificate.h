@@ -234,8 +234,16 @@ private:
         if(right >= 0 && right < n && edge.pieces[right].y > 0)
         {
           const Ray r = ray(edge.pieces[right], right_end, is_canonical, l);
-          next_part = hull(next_part, divide_next(r).beyond);
-          prev_part = hull(prev_part, divide_prev(r).before);
+          if(turns_outwards(right_ray, r))
+          {
+            cross_from(face, k, shape, right_end, Certified_distance(w)(Number(right_end)));
+            cross_from(face, k, shape, right_end, Certified_distance(edge.pieces[right])(Number(right_end)));
+          }
+          else
+          {
+            next_part = hull(next_part, divide_next(r).beyond);
+            prev_part = hull(prev_part, divide_prev(r).before);
+          }
         }
         on_next = common(divide_next(left_ray).before, next_part);
         on_prev = common(divide_prev(left_ray).beyond, prev_part);
@@ -254,6 +262,29 @@ private:
       if(! shape.is_point(prev) && ! on_prev.is_empty())
         compare(face, prev, shape, turned(f, shape.to_apex(k)), false, on_prev.from, on_prev.to);
     }
+  }
+
+  // Whether the ray of the next window turns away from that of the one before. Below this angle, the way over the common end is longer than
+  // what either window says there by less than the rounding of doubles: half the square of the angle.
+  static bool turns_outwards(const Ray& before, const Ray& next)
+  {
+    constexpr double smallest_turn = 1e-8;      // radians
+    const double sine = next.dx * before.dy - before.dx * next.dy;
+    return sine > smallest_turn * std::sqrt((before.dx * before.dx + before.dy * before.dy) * (next.dx * next.dx + next.dy * next.dy));
+  }
+
+  // Compares the ways from a place of halfedge k, which has the distance d, with the windows of the two other edges.
+  void cross_from(int face, int k, const Certified_face& shape, double place, const Number& d)
+  {
+    const int next = (k + 1) % 3, prev = (k + 2) % 3;
+    const double infinity = std::numeric_limits<double>::infinity();
+    Certified_distance f(Number(place), Number(), d, false);
+    if(! m_mesh.is_canonical(3 * face + k))
+      f.reverse(shape.length(k));
+    if(! shape.is_point(next))
+      compare(face, next, shape, moved_to_target(f, shape.length(k), shape.to_next(k)), true, 0, infinity);
+    if(! shape.is_point(prev))
+      compare(face, prev, shape, turned(f, shape.to_apex(k)), false, 0, infinity);
   }
 
   // A distance on the line y = 0 whose source is on the side of negative y, on the line in direction u through the origin.

@@ -151,6 +151,7 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
 
   FT a, half_b, c;                    // a z^2 + 2 half_b z + c = 0
   FT side0, side1;                    // a root counts if side1 z + side0 >= 0
+  FT discriminant;
   if(v.linear || w.linear)
   {
     // sqrt(Q) = m z + k with Q = (z - p)^2 + y^2
@@ -162,6 +163,9 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
     c = (p - k) * (p + k) + circle.y * circle.y;
     side0 = k;
     side1 = m;
+    // half_b^2 - a c without its cancellation: windows of a curve meet those of its corners where both distances are zero
+    const FT at_foot = m * p + k;
+    discriminant = at_foot * at_foot - a * circle.y * circle.y;
   }
   else
   {
@@ -183,9 +187,9 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
     c = h * h - d2 * (pw * pw + w.y * w.y);
     side0 = d > FT(0) ? h : FT(-h);
     side1 = d > FT(0) ? g : FT(-g);
+    discriminant = half_b * half_b - a * c;
   }
 
-  const FT discriminant = half_b * half_b - a * c;
   if(! (discriminant > FT(0)))
     return 0;
   const FT root = square_root(discriminant);

@@ -12,6 +12,8 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Cut_graph.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <array>
 #include <cmath>
 #include <queue>
@@ -22,7 +24,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A cross field whose directions are combed over the disks of a cut graph (thesis, Section 8.4).
+// A cross field whose directions are combed over the disks of a cut graph [Bom12, 8.4].
 //
 // The first direction of face f turns by `turns[f]` quarters and becomes the u-direction of the chart of f, so
 // that charts agree, without rotation, across every edge that is not cut. A cut path is a maximal
@@ -77,6 +79,21 @@ struct Combed_charts
     return modulo_4(turns[h / 3] - p - turns[mesh.opposite[h] / 3]);
   }
 
+  // The path that is crossed where one leaves the face of h over h: 1 + path if h runs along it, -(1 + path) if against it,
+  // 0 if the edge is not cut.
+  int path_crossed(int h) const
+  {
+    const int e = mesh.edge_of[h];
+    return h == mesh.halfedge_of_edge[e] ? path_of_edge[e] : -path_of_edge[e];
+  }
+
+  // The quarters from the chart of the face of h to the chart beyond it.
+  int quarters_across(int h) const
+  {
+    const int id = path_crossed(h);
+    return id == 0 ? 0 : id > 0 ? paths[id - 1].rotation : -paths[-id - 1].rotation;
+  }
+
   static int modulo_4(int i) { return ((i % 4) + 4) % 4; }
 
 private:
@@ -111,7 +128,7 @@ private:
     u_direction.resize(mesh.number_of_faces());
     for(int f = 0; f < mesh.number_of_faces(); ++f)
     {
-      const double a = angle[f] + turns[f] * (std::acos(-1.0) / 2);
+      const double a = angle[f] + turns[f] * (CGAL_PI / 2);
       u_direction[f] = {{ std::cos(a), std::sin(a) }};
     }
   }

@@ -29,48 +29,48 @@ class Element_sum
 public:
   // `number` as in `Orientation_energy`, with the numbers 0 to n - 1.
   Element_sum(const Seamless_coordinates& coordinates, const std::vector<int>& number, int n, std::size_t expected)
-    : n(n), far(n, -1)
+    : m_n(n), m_far(n, -1)
   {
     for(std::size_t i = 0; i < number.size(); ++i)
       if(number[i] != -1 && coordinates.is_integer[i])
       {
-        far[number[i]] = static_cast<int>(far_numbers.size());
-        far_numbers.push_back(number[i]);
+        m_far[number[i]] = static_cast<int>(m_far_numbers.size());
+        m_far_numbers.push_back(number[i]);
       }
-    dense.setZero(far_numbers.size(), far_numbers.size());
-    triplets.reserve(expected);
+    m_dense.setZero(m_far_numbers.size(), m_far_numbers.size());
+    m_triplets.reserve(expected);
   }
 
   void add(int i, int j, double value)
   {
-    if(far[i] != -1 && far[j] != -1)
-      dense(far[i], far[j]) += value;
+    if(m_far[i] != -1 && m_far[j] != -1)
+      m_dense(m_far[i], m_far[j]) += value;
     else
-      triplets.emplace_back(i, j, value);
+      m_triplets.emplace_back(i, j, value);
   }
 
-  double number_of_dense_rows() const { return static_cast<double>(far_numbers.size()); }
+  double number_of_dense_rows() const { return static_cast<double>(m_far_numbers.size()); }
 
   // `shift` is added to the diagonal.
   Eigen::SparseMatrix<double> matrix(double shift = 0)
   {
-    for(std::size_t i = 0; i < far_numbers.size(); ++i)
-      for(std::size_t j = 0; j < far_numbers.size(); ++j)
-        if(dense(i, j) != 0)
-          triplets.emplace_back(far_numbers[i], far_numbers[j], dense(i, j));
+    for(std::size_t i = 0; i < m_far_numbers.size(); ++i)
+      for(std::size_t j = 0; j < m_far_numbers.size(); ++j)
+        if(m_dense(i, j) != 0)
+          m_triplets.emplace_back(m_far_numbers[i], m_far_numbers[j], m_dense(i, j));
     if(shift != 0)
-      for(int i = 0; i < n; ++i)
-        triplets.emplace_back(i, i, shift);
-    Eigen::SparseMatrix<double> A(n, n);
-    A.setFromTriplets(triplets.begin(), triplets.end());
+      for(int i = 0; i < m_n; ++i)
+        m_triplets.emplace_back(i, i, shift);
+    Eigen::SparseMatrix<double> A(m_n, m_n);
+    A.setFromTriplets(m_triplets.begin(), m_triplets.end());
     return A;
   }
 
 private:
-  const int n;
-  std::vector<int> far, far_numbers;
-  Eigen::MatrixXd dense;
-  std::vector<Eigen::Triplet<double> > triplets;
+  const int m_n;
+  std::vector<int> m_far, m_far_numbers;
+  Eigen::MatrixXd m_dense;
+  std::vector<Eigen::Triplet<double> > m_triplets;
 };
 
 } // namespace internal

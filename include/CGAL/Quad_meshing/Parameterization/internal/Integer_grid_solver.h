@@ -20,18 +20,24 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Separations.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
+#include <CGAL/Quad_meshing/internal/binary_unit.h>
+#include <CGAL/Quad_meshing/internal/run_aside.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// From a cross field in flat arrays to an exact integer-grid map (thesis, Section 8.4).
+// From a cross field in flat arrays to an exact integer-grid map [Bom12, 8.4].
 class Integer_grid_solver
 {
 public:
@@ -41,12 +47,13 @@ public:
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
-                      unsigned int number_of_threads = 1)
+                      unsigned int number_of_threads, Stage_progress& progress)
     : mesh(mesh), is_singular(singular_vertices(mesh, quarters)),
       charts(mesh, angle, period_jump, is_singular), coordinates(charts, is_singular, is_aligned), faces(charts, sizing),
-      sectors(coordinates, quarters, is_aligned), optimization(coordinates, faces, sectors)
+      m_sectors(coordinates, quarters, is_aligned), m_optimization(coordinates, faces, m_sectors, progress),
+      m_progress(progress)
   {
-    optimization.number_of_threads = number_of_threads;
+    m_optimization.number_of_threads = number_of_threads;
   }
 
   int number_of_integers() const
@@ -58,25 +65,43 @@ public:
   // Returns false if the energy could not be factorized.
   bool solve_seamless(double anisotropy, unsigned int stiffening_iterations)
   {
-    const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy);
-    if(!reduction.compute(energy.A, energy.b, coordinates.is_integer))
+    struct Reduction
+    {
+      Orientation_energy energy;
+      std::vector<bool> is_integer;
+      Integer_energy result;
+      bool is_done;
+    };
+    const auto data = std::make_shared<Reduction>(Reduction{
+      Orientation_energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy, &m_progress),
+      coordinates.is_integer, Integer_energy(), false });
+    const Orientation_energy& energy = data->energy;
+    if(!m_progress.go_further() ||
+       !run_aside(coordinates.number_of_variables(), m_progress, data, [](Reduction& r)
+                  { r.is_done = r.result.compute(r.energy.A, r.energy.b, r.is_integer); }) ||
+       !data->is_done)
       return false;
-    relaxed = reduction.complete(reduction.target());
-    if(!relaxed.allFinite())
+    m_reduction = std::move(data->result);
+    relaxed = m_reduction.complete(m_reduction.target());
+    if(!relaxed.allFinite() || !m_progress.go_further())
       return false;
-    constant = energy.constant;
-    relaxed_energy = reduction.energy(relaxed) + constant;
-    optimization.operations_left = most_operations;
+    m_constant = energy.constant;
+    relaxed_energy = m_reduction.energy(relaxed) + m_constant;
+    m_optimization.operations_left = most_operations;
+    if(!m_progress.go_further())
+      return false;
     // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a stiffer map.
     const Eigen::VectorXd start = relaxed;
     if(untangle_seamless(relaxed))
       return true;
     Eigen::VectorXd other = start;
     stiffen(other, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations, anisotropy);
+    if(!m_progress.go_further())
+      return false;
     untangle_seamless(other);
-    if(optimization.folded_faces(other).size() < optimization.folded_faces(relaxed).size())
+    if(m_optimization.folded_faces(other).size() < m_optimization.folded_faces(relaxed).size())
       relaxed = other;
-    folded_before_rounding = optimization.folded_faces(relaxed);
+    folded_before_rounding = m_optimization.folded_faces(relaxed);
     return true;
   }
 
@@ -87,31 +112,37 @@ public:
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
     std::vector<int> number(coordinates.number_of_variables(), -1);
-    for(std::size_t i = 0; i < reduction.integers().size(); ++i)
-      number[reduction.integers()[i]] = static_cast<int>(i);
-    Eigen::VectorXd z = solve_mixed_integer(reduction.problem(), parameters::rounding_method(method)).x;
+    for(std::size_t i = 0; i < m_reduction.integers().size(); ++i)
+      number[m_reduction.integers()[i]] = static_cast<int>(i);
+    Step_visitor visitor(m_progress);
+    Eigen::VectorXd z =
+      solve_mixed_integer(m_reduction.problem(), parameters::rounding_method(method).visitor(std::ref(visitor))).x;
+    if(m_progress.is_stopped())
+      return;
 
-    x = reduction.complete(z);
-    rounded_energy = reduction.energy(x) + constant;
+    x = m_reduction.complete(z);
+    rounded_energy = m_reduction.energy(x) + m_constant;
     if(!folded_before_rounding.empty())
       return; // no order of things to be kept, nothing to be carried
-    optimization.operations_left = most_operations;
-    Separations separations(coordinates, grid_points(), is_aligned, relaxed);
-    Separated_rounding separated(reduction.matrix(), reduction.linear_term(), number);
-    const Eigen::VectorXd start = reduction.complete(reduction.integers_of(relaxed));
+    m_optimization.operations_left = most_operations;
+    Separations separations(coordinates, grid_points(), is_aligned, relaxed, m_progress);
+    Separated_rounding separated(m_reduction.matrix(), m_reduction.linear_term(), number);
+    const Eigen::VectorXd start = m_reduction.complete(m_reduction.integers_of(relaxed));
     const int most_attempts = 8;
     std::size_t known = 0;
     for(int attempt = 0; attempt == 0 || (attempt < most_attempts && separations.list.size() > known); ++attempt)
     {
+      if(!m_progress.go_further())
+        return;
       known = separations.list.size();
       separated.add(separations.list);
-      number_of_broken_separations = separated.improve(z);
-      x = reduction.complete(z);
-      if(reduction.energy(x) > 0)
+      number_of_broken_separations = separated.improve(z, m_progress);
+      x = m_reduction.complete(z);
+      if(m_reduction.energy(x) > 0)
         break; // directions and lengths are worse than those of a map of everything to one point
       Eigen::VectorXd y = relaxed;
-      is_carried = optimization.carry(y, x - start, coordinates.is_integer);
-      if(is_carried)
+      m_is_carried = m_optimization.carry(y, x - start, coordinates.is_integer);
+      if(m_is_carried)
       {
         x = with_integers_of(x, y);
         break;
@@ -119,23 +150,23 @@ public:
       separations.discover(y, 0.5); // things that came together; others are at least one unit apart
     }
     number_of_separations = static_cast<int>(separations.list.size());
-    rounded_energy = reduction.energy(reduction.complete(z)) + constant;
+    rounded_energy = m_reduction.energy(m_reduction.complete(z)) + m_constant;
   }
 
   // With the integers fixed, for a map that could not be carried to them: stiffening and moving vertices.
   void remove_fold_overs(unsigned int stiffening_iterations, double anisotropy)
   {
-    if(is_carried)
+    if(m_is_carried)
       return;
-    optimization.operations_left = most_operations;
+    m_optimization.operations_left = most_operations;
     const Eigen::VectorXd carried =
-      with_integers_of(x, relaxed + x - reduction.complete(reduction.integers_of(relaxed)));
-    if(optimization.folded_faces(carried).size() < optimization.folded_faces(x).size())
+      with_integers_of(x, relaxed + x - m_reduction.complete(m_reduction.integers_of(relaxed)));
+    if(m_optimization.folded_faces(carried).size() < m_optimization.folded_faces(x).size())
       x = carried;
     stiffen(x, coordinates.is_integer, stiffening_iterations, anisotropy);
     // What did not unfold before the rounding will hardly do so after it.
     const int few_rings = 3, many_rings = 12;
-    optimization.untangle(x, coordinates.is_integer, folded_before_rounding.empty() ? many_rings : few_rings);
+    m_optimization.untangle(x, coordinates.is_integer, folded_before_rounding.empty() ? many_rings : few_rings);
   }
 
   // The vertices that lie on grid points whatever the real variables are: singular ones, and those where aligned
@@ -170,7 +201,7 @@ public:
         largest = (std::max)(largest, sum);
       }
     const int significant_bits = 48;
-    const double unit = std::ldexp(1., std::ilogb(largest) + 1 - significant_bits);
+    const double unit = binary_unit(largest, significant_bits);
     for(int i = 0; i < coordinates.number_of_variables(); ++i)
       if(!coordinates.is_integer[i])
         x[i] = std::round(x[i] / unit) * unit;
@@ -186,7 +217,7 @@ public:
   // the images wind around with a wrong angle; on an exact map this angle is a multiple of a right one.
   std::vector<int> folded_faces() const
   {
-    std::vector<int> folded = optimization.folded_faces(x);
+    std::vector<int> folded = m_optimization.folded_faces(x);
     for(int f = 0; f < mesh.number_of_faces(); ++f)
       if(orientation(corner(f, 0), corner(f, 1), corner(f, 2)) != LEFT_TURN)
         folded.push_back(f);
@@ -206,11 +237,12 @@ public:
   int number_of_separations = 0, number_of_broken_separations = 0;
 
 private:
-  const Vertex_sectors sectors;
-  Map_optimization optimization;
-  Integer_energy reduction;
-  double constant = 0;
-  bool is_carried = false;
+  const Vertex_sectors m_sectors;
+  Map_optimization m_optimization;
+  Stage_progress& m_progress;
+  Integer_energy m_reduction;
+  double m_constant = 0;
+  bool m_is_carried = false;
   // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
   // triangle no amount of work helps.
   static constexpr double most_operations = 1e10;
@@ -218,13 +250,13 @@ private:
   bool untangle_seamless(Eigen::VectorXd& y)
   {
     const int few_rings = 3, few_steps = 20; // translations move everything along the cuts: such steps are costly
-    return optimization.untangle(y, coordinates.is_integer, few_rings) ||
-           optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), few_rings, few_steps);
+    return m_optimization.untangle(y, coordinates.is_integer, few_rings) ||
+           m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), few_rings, few_steps);
   }
 
   Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const
   {
-    for(int i : reduction.integers())
+    for(int i : m_reduction.integers())
       z[i] = y[i];
     return z;
   }
@@ -235,7 +267,7 @@ private:
   {
     Stiffening stiffening(coordinates, faces);
     Eigen::VectorXd z = y;
-    std::size_t fewest = optimization.folded_faces(y).size();
+    std::size_t fewest = m_optimization.folded_faces(y).size();
     std::vector<int> number(is_fixed.size(), -1), variables;
     for(std::size_t i = 0; i < is_fixed.size(); ++i)
       if(!is_fixed[i])
@@ -243,18 +275,32 @@ private:
         number[i] = static_cast<int>(variables.size());
         variables.push_back(static_cast<int>(i));
       }
-    Sparse_cholesky<double> solver;
-    for(unsigned int i = 0; i < iterations && fewest > 0; ++i)
+    struct Factorization
+    {
+      Eigen::SparseMatrix<double> matrix;
+      Sparse_cholesky<double> solver;
+      bool is_done = false;
+    };
+    const auto data = std::make_shared<Factorization>();
+    for(unsigned int i = 0; i < iterations && fewest > 0 && m_progress.go_further(); ++i)
     {
       stiffening.update_weights(z);
-      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy, number,
-                                      static_cast<int>(variables.size()), y);
-      if(!solver.factorize(energy.A)) // the pattern is analyzed the first time
+      if(!m_progress.go_further())
         return;
-      const Eigen::VectorXd free = solver.solve(energy.b);
+      Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy, number,
+                                static_cast<int>(variables.size()), y, &m_progress);
+      data->matrix.swap(energy.A);
+      if(!m_progress.go_further() ||
+         !run_aside(static_cast<int>(variables.size()), m_progress, data, [](Factorization& f)
+                    { f.is_done = f.solver.factorize(f.matrix); }) || // the pattern is analyzed the first time
+         !data->is_done)
+        return;
+      const Eigen::VectorXd free = data->solver.solve(energy.b);
+      if(!m_progress.go_further())
+        return;
       for(std::size_t k = 0; k < variables.size(); ++k)
         z[variables[k]] = free[k];
-      const std::size_t n = optimization.folded_faces(z).size();
+      const std::size_t n = m_optimization.folded_faces(z).size();
       if(n < fewest)
       {
         fewest = n;

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_INTEGER_RELATIONS_H
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numeric>
 #include <utility>
@@ -74,6 +75,20 @@ struct Integer_form
   }
 };
 
+// A point of a chart whose coordinates are such forms.
+typedef std::array<Integer_form, 2> Grid_form;
+
+// The point turned counterclockwise about the origin by some quarters.
+inline Grid_form rotated(Grid_form a, int quarters)
+{
+  for(int i = 0; i < (quarters & 3); ++i)
+  {
+    a[1].scale(-1);
+    std::swap(a[0], a[1]); // (u, v) -> (-v, u)
+  }
+  return a;
+}
+
 // Variables under linear equations with integer coefficients.
 //
 // Each equation that is added removes one variable: it becomes a linear form, with integer
@@ -87,18 +102,18 @@ public:
   enum Outcome { REMOVED_A_VARIABLE, REDUNDANT, CONTRADICTION };
 
   explicit Integer_relations(int number_of_variables)
-    : replaced(number_of_variables, false), replacement(number_of_variables), weight(number_of_variables, 1)
+    : m_replaced(number_of_variables, false), m_replacement(number_of_variables), m_weight(number_of_variables, 1)
   {}
 
-  int number_of_variables() const { return static_cast<int>(replaced.size()); }
-  bool is_free(int i) const { return !replaced[i]; }
+  int number_of_variables() const { return static_cast<int>(m_replaced.size()); }
+  bool is_free(int i) const { return !m_replaced[i]; }
 
   // Rewrites a form in the free variables.
   Integer_form resolved(const Integer_form& form)
   {
     bool done = true;
     for(const Integer_form::Term& t : form.terms)
-      if(replaced[t.first])
+      if(m_replaced[t.first])
       {
         done = false;
         break;
@@ -109,12 +124,12 @@ public:
     r.constant = form.constant;
     for(const Integer_form::Term& t : form.terms)
     {
-      if(!replaced[t.first])
+      if(!m_replaced[t.first])
         r.add(Integer_form::variable(t.first), t.second);
       else
       {
-        replacement[t.first] = resolved(replacement[t.first]); // path compression
-        r.add(replacement[t.first], t.second);
+        m_replacement[t.first] = resolved(m_replacement[t.first]); // path compression
+        r.add(m_replacement[t.first], t.second);
       }
     }
     return r;
@@ -144,7 +159,7 @@ public:
       for(const Integer_form::Term& t : f.terms)
         if(std::abs(t.second) == 1 &&
            (pivot == nullptr || preference(t.first) > preference(pivot->first) ||
-            (preference(t.first) == preference(pivot->first) && weight[t.first] < weight[pivot->first])))
+            (preference(t.first) == preference(pivot->first) && m_weight[t.first] < m_weight[pivot->first])))
           pivot = &t;
       if(pivot != nullptr)
       {
@@ -159,16 +174,16 @@ public:
   }
 
 private:
-  std::vector<bool> replaced;
-  std::vector<Integer_form> replacement;
-  std::vector<int> weight; // number of variables that were replaced by forms of this one
+  std::vector<bool> m_replaced;
+  std::vector<Integer_form> m_replacement;
+  std::vector<int> m_weight; // number of variables that were replaced by forms of this one
 
   void replace(int i, const Integer_form& f)
   {
-    replaced[i] = true;
-    replacement[i] = f;
+    m_replaced[i] = true;
+    m_replacement[i] = f;
     for(const Integer_form::Term& t : f.terms)
-      weight[t.first] += weight[i];
+      m_weight[t.first] += m_weight[i];
   }
 
   // With c the smallest coefficient, at variable k: y = x_k + sum of round(c_i / c) x_i is a new variable
@@ -180,9 +195,9 @@ private:
                                      { return std::abs(a.second) < std::abs(b.second); });
     const int k = smallest->first, c = smallest->second;
     const int y = number_of_variables();
-    replaced.push_back(false);
-    replacement.emplace_back();
-    weight.push_back(1);
+    m_replaced.push_back(false);
+    m_replacement.emplace_back();
+    m_weight.push_back(1);
 
     Integer_form x_k = Integer_form::variable(y);
     Integer_form reduced;

@@ -16,6 +16,8 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Star_layout.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
+#include <CGAL/Quad_meshing/internal/Regularized_determinant.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 #include <CGAL/Quad_meshing/internal/parallel_for.h>
 
 #include <Eigen/SparseCore>
@@ -41,18 +43,19 @@ namespace internal {
 class Map_optimization
 {
 public:
-  Map_optimization(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors)
-    : coordinates(coordinates), mesh(coordinates.charts.mesh), faces(faces), sectors(sectors)
+  Map_optimization(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors,
+                   Stage_progress& progress)
+    : m_coordinates(coordinates), m_mesh(coordinates.charts.mesh), m_faces(faces), m_sectors(sectors), m_progress(progress)
   {
     double total = 0;
-    for(double a : faces.area)
+    for(double a : m_faces.area)
       total += a;
     // Small triangles must not fold either: they weigh at least this share of the mean.
     const double least_relative_weight = 0.05;
-    const double least = least_relative_weight * total / (std::max)(1, mesh.number_of_faces());
-    weight.resize(faces.area.size());
-    for(std::size_t f = 0; f < weight.size(); ++f)
-      weight[f] = (std::max)(faces.area[f], least);
+    const double least = least_relative_weight * total / (std::max)(1, m_mesh.number_of_faces());
+    m_weight.resize(m_faces.area.size());
+    for(std::size_t f = 0; f < m_weight.size(); ++f)
+      m_weight[f] = (std::max)(m_faces.area[f], least);
   }
 
   // Operations that the repairs may still spend on assembling and factorizing; the descent ends where none are left. A count
@@ -73,9 +76,13 @@ public:
     // a determinant below this share of the ideal one is worth a repair, though not folded
     const double least_determinant = 1e-2;
     std::vector<int> bad = faces_below(x, least_determinant);
+    if(!m_progress.go_further())
+      return false;
     std::size_t folded = folded_faces(x).size();
     for(int rings : { 3, 6, 12 })
     {
+      if(!m_progress.go_further())
+        return false;
       if(bad.empty())
         return true;
       if(rings > most_rings)
@@ -84,12 +91,14 @@ public:
       // around a vertex the wrong number of times to wind around it once.
       for(bool anew : { false, true })
       {
+        if(!m_progress.go_further())
+          return false;
         Eigen::VectorXd y = x;
         const std::vector<bool> inside = vertices_around(bad, rings);
         if(anew)
         {
-          restrict_to(inside, coordinates.is_integer);
-          make_harmonic(y, Star_layout(coordinates, faces, sectors, number).open(folded_faces(y), y));
+          restrict_to(inside, m_coordinates.is_integer);
+          make_harmonic(y, Star_layout(m_coordinates, m_faces, m_sectors, m_number).open(folded_faces(y), y));
         }
         restrict_to(inside, is_fixed);
         minimize(y, newton_steps, true);
@@ -119,10 +128,10 @@ public:
     const double least_progress = 0.05, least_relative_progress = 0.25;
     const int patience = 8;
     double remaining = 1, remaining_before = 1;
-    std::vector<double> room(mesh.number_of_faces());
+    std::vector<double> room(m_mesh.number_of_faces());
     int rings = 3;
     const double least_remaining = 1e-6; // where this is too much, faces collapse at the end of the displacement
-    for(int steps = 0; rings <= 12 && remaining > least_remaining; ++steps)
+    for(int steps = 0; rings <= 12 && remaining > least_remaining && m_progress.go_further(); ++steps)
     {
       if(steps > 0 && steps % patience == 0)
       {
@@ -131,7 +140,7 @@ public:
         remaining_before = remaining;
       }
       double least_room = (std::numeric_limits<double>::max)();
-      for(int f = 0; f < mesh.number_of_faces(); ++f)
+      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
         least_room = (std::min)(least_room, room[f] = room_of(f, x, displacement));
       if(least_room > remaining)
       {
@@ -142,7 +151,7 @@ public:
       x += step * displacement;
       remaining -= step;
       std::vector<int> narrow;
-      for(int f = 0; f < mesh.number_of_faces(); ++f)
+      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
         if(room[f] < (std::min)(remaining, 4 * least_room))
           narrow.push_back(f);
       restrict_to(vertices_around(narrow, rings), is_fixed);
@@ -152,26 +161,27 @@ public:
   }
 
 private:
-  const Seamless_coordinates& coordinates;
-  const Indexed_triangle_mesh& mesh;
-  const Face_gradients& faces;
-  const Vertex_sectors& sectors;
-  std::vector<double> weight;  // per face
-  std::vector<int> active;     // faces
-  std::vector<int> number;     // per variable: its number among the free ones, -1 if fixed
-  std::vector<int> variables;  // the free ones
-  Regularized_distortion distortion;
+  const Seamless_coordinates& m_coordinates;
+  const Indexed_triangle_mesh& m_mesh;
+  const Face_gradients& m_faces;
+  const Vertex_sectors& m_sectors;
+  Stage_progress& m_progress;
+  std::vector<double> m_weight;  // per face
+  std::vector<int> m_active;     // faces
+  std::vector<int> m_number;     // per variable: its number among the free ones, -1 if fixed
+  std::vector<int> m_variables;  // the free ones
+  Regularized_distortion m_distortion;
 
   double determinant(int f, const Eigen::VectorXd& x) const
   {
-    return faces.jacobian(f, corner_coordinates(coordinates, f, x)).determinant();
+    return m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x)).determinant();
   }
 
   // The multiple of a displacement at which a face collapses: the least positive root of its determinant.
   double room_of(int f, const Eigen::VectorXd& x, const Eigen::VectorXd& displacement) const
   {
-    const Eigen::Matrix2d J = faces.jacobian(f, corner_coordinates(coordinates, f, x));
-    const Eigen::Matrix2d D = faces.jacobian(f, corner_coordinates(coordinates, f, displacement));
+    const Eigen::Matrix2d J = m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x));
+    const Eigen::Matrix2d D = m_faces.jacobian(f, corner_coordinates(m_coordinates, f, displacement));
     const double a = D.determinant(), c = J.determinant();
     const double b = J(0, 0) * D(1, 1) + J(1, 1) * D(0, 0) - J(0, 1) * D(1, 0) - J(1, 0) * D(0, 1);
     const double never = (std::numeric_limits<double>::max)();
@@ -190,22 +200,22 @@ private:
 
   std::vector<int> faces_below(const Eigen::VectorXd& x, double least_determinant) const
   {
-    std::vector<double> angle(sectors.list.size(), 0.);
-    std::vector<bool> is_bad(mesh.number_of_faces(), false);
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    std::vector<double> angle(m_sectors.list.size(), 0.);
+    std::vector<bool> is_bad(m_mesh.number_of_faces(), false);
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const Eigen::Matrix<double, 2, 3> p = corner_coordinates(coordinates, f, x);
-      is_bad[f] = !(faces.jacobian(f, p).determinant() > least_determinant);
+      const Eigen::Matrix<double, 2, 3> p = corner_coordinates(m_coordinates, f, x);
+      is_bad[f] = !(m_faces.jacobian(f, p).determinant() > least_determinant);
       for(int k = 0; k < 3; ++k)
-        if(sectors.sector_of_corner[3 * f + k] != -1)
-          angle[sectors.sector_of_corner[3 * f + k]] += angle_of_image(p, k);
+        if(m_sectors.sector_of_corner[3 * f + k] != -1)
+          angle[m_sectors.sector_of_corner[3 * f + k]] += angle_of_image(p, k);
     }
     for(std::size_t i = 0; i < angle.size(); ++i)
-      if(std::lround(angle[i] / Vertex_sectors::right_angle()) != sectors.list[i].quarters)
-        for(int h : sectors.list[i].halfedges)
+      if(std::lround(angle[i] / Vertex_sectors::right_angle) != m_sectors.list[i].quarters)
+        for(int h : m_sectors.list[i].halfedges)
           is_bad[h / 3] = true;
     std::vector<int> result;
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       if(is_bad[f])
         result.push_back(f);
     return result;
@@ -224,30 +234,30 @@ private:
   {
     for(std::size_t i = 0; i < is_placed.size(); ++i)
       if(is_placed[i])
-        number[i] = -1;
-    variables.erase(std::remove_if(variables.begin(), variables.end(), [&](int i) { return is_placed[i]; }), variables.end());
-    for(std::size_t i = 0; i < variables.size(); ++i)
-      number[variables[i]] = static_cast<int>(i);
+        m_number[i] = -1;
+    m_variables.erase(std::remove_if(m_variables.begin(), m_variables.end(), [&](int i) { return is_placed[i]; }), m_variables.end());
+    for(std::size_t i = 0; i < m_variables.size(); ++i)
+      m_number[m_variables[i]] = static_cast<int>(i);
 
-    if(variables.empty())
+    if(m_variables.empty())
       return;
     std::vector<Eigen::Triplet<double> > triplets;
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(variables.size());
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(m_variables.size());
     std::vector<std::pair<int, double> > row;
-    for(int f : active)
+    for(int f : m_active)
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
         {
           row.clear();
           double constant = 0;
           for(int end = 0; end < 2; ++end)
-            for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + (k + end) % 3]][c])
+            for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + (k + end) % 3]][c])
             {
               const double w = end == 0 ? t.second : -t.second;
-              if(number[t.first] == -1)
+              if(m_number[t.first] == -1)
                 constant += w * x[t.first];
               else
-                row.emplace_back(number[t.first], w);
+                row.emplace_back(m_number[t.first], w);
             }
           for(const auto& a : row)
           {
@@ -256,22 +266,22 @@ private:
               triplets.emplace_back(a.first, b.first, a.second * b.second);
           }
         }
-    Eigen::SparseMatrix<double> A(variables.size(), variables.size());
+    Eigen::SparseMatrix<double> A(m_variables.size(), m_variables.size());
     A.setFromTriplets(triplets.begin(), triplets.end());
     Sparse_cholesky<double> solver;
     if(!solver.compute(A))
       return; // a region without a fixed border: leave it where it is
     const Eigen::VectorXd y = solver.solve(rhs);
-    for(std::size_t i = 0; i < variables.size(); ++i)
-      x[variables[i]] = y[i];
+    for(std::size_t i = 0; i < m_variables.size(); ++i)
+      x[m_variables[i]] = y[i];
   }
 
   std::vector<bool> vertices_around(const std::vector<int>& seeds, int rings) const
   {
-    std::vector<bool> inside(mesh.number_of_vertices(), false);
+    std::vector<bool> inside(m_mesh.number_of_vertices(), false);
     std::vector<int> front, next;
     for(int f : seeds)
-      for(int v : mesh.corners[f])
+      for(int v : m_mesh.corners[f])
         if(!inside[v])
         {
           inside[v] = true;
@@ -282,19 +292,15 @@ private:
       next.clear();
       for(int v : front)
       {
-        const int start = mesh.halfedge_of_vertex[v];
-        int h = start;
-        do
+        for_each_corner_of_vertex(m_mesh, v, [&](int h)
         {
-          for(int w : { mesh.target(h), mesh.source(Indexed_triangle_mesh::prev(h)) })
+          for(int w : { m_mesh.target(h), m_mesh.source(Indexed_triangle_mesh::prev(h)) })
             if(!inside[w])
             {
               inside[w] = true;
               next.push_back(w);
             }
-          h = mesh.next_around_source(h);
-        }
-        while(h != -1 && h != start);
+        });
       }
       front.swap(next);
     }
@@ -304,41 +310,41 @@ private:
   // The active faces are all that a free variable moves.
   void restrict_to(const std::vector<bool>& inside, const std::vector<bool>& is_fixed)
   {
-    number.assign(coordinates.number_of_variables(), -1);
-    variables.clear();
+    m_number.assign(m_coordinates.number_of_variables(), -1);
+    m_variables.clear();
     auto for_each_term = [&](int f, auto visit)
     {
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
-          for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + k]][c])
-            visit(mesh.corners[f][k], t.first);
+          for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + k]][c])
+            visit(m_mesh.corners[f][k], t.first);
     };
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       for_each_term(f, [&](int v, int i)
       {
-        if(inside[v] && !is_fixed[i] && number[i] == -1)
+        if(inside[v] && !is_fixed[i] && m_number[i] == -1)
         {
-          number[i] = static_cast<int>(variables.size());
-          variables.push_back(i);
+          m_number[i] = static_cast<int>(m_variables.size());
+          m_variables.push_back(i);
         }
       });
-    active.clear();
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    m_active.clear();
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
       bool moves = false;
-      for_each_term(f, [&](int, int i) { moves = moves || number[i] != -1; });
+      for_each_term(f, [&](int, int i) { moves = moves || m_number[i] != -1; });
       if(moves)
-        active.push_back(f);
+        m_active.push_back(f);
     }
   }
 
   double energy(const Eigen::VectorXd& x) const
   {
-    std::vector<double> of_face(active.size());
-    parallel_for(active.size(), number_of_threads, [&](std::size_t i)
+    std::vector<double> of_face(m_active.size());
+    parallel_for(m_active.size(), number_of_threads, [&](std::size_t i)
     {
-      const int f = active[i];
-      of_face[i] = weight[f] * distortion.value(faces.jacobian(f, corner_coordinates(coordinates, f, x)));
+      const int f = m_active[i];
+      of_face[i] = m_weight[f] * m_distortion.value(m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x)));
     });
     return std::accumulate(of_face.begin(), of_face.end(), 0.);
   }
@@ -346,57 +352,57 @@ private:
   double least_determinant(const Eigen::VectorXd& x) const
   {
     double d = (std::numeric_limits<double>::max)();
-    for(int f : active)
+    for(int f : m_active)
       d = (std::min)(d, determinant(f, x));
     return d;
   }
 
   void assemble(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian)
   {
-    gradient = Eigen::VectorXd::Zero(variables.size());
-    Element_sum sum(coordinates, number, static_cast<int>(variables.size()), 36 * active.size());
+    gradient = Eigen::VectorXd::Zero(m_variables.size());
+    Element_sum sum(m_coordinates, m_number, static_cast<int>(m_variables.size()), 36 * m_active.size());
     double trace = 0, additions = 0;
-    std::vector<int> local, place(variables.size(), -1);
+    std::vector<int> local, place(m_variables.size(), -1);
     Eigen::MatrixXd B, HB, lH; // B: d (J00, J01, J10, J11) / d local variables
     struct Derivatives
     {
       Regularized_distortion::Vector_4 g;
       Regularized_distortion::Matrix_4 H;
     };
-    std::vector<Derivatives, Eigen::aligned_allocator<Derivatives> > derivatives(active.size());
-    parallel_for(active.size(), number_of_threads, [&](std::size_t i)
+    std::vector<Derivatives, Eigen::aligned_allocator<Derivatives> > derivatives(m_active.size());
+    parallel_for(m_active.size(), number_of_threads, [&](std::size_t i)
     {
-      const Eigen::Matrix2d J = faces.jacobian(active[i], corner_coordinates(coordinates, active[i], x));
-      distortion.derivatives(J, derivatives[i].g, derivatives[i].H);
+      const Eigen::Matrix2d J = m_faces.jacobian(m_active[i], corner_coordinates(m_coordinates, m_active[i], x));
+      m_distortion.derivatives(J, derivatives[i].g, derivatives[i].H);
     });
-    for(std::size_t a = 0; a < active.size(); ++a)
+    for(std::size_t a = 0; a < m_active.size(); ++a)
     {
-      const int f = active[a];
+      const int f = m_active[a];
       local.clear();
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
-          for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + k]][c])
-            if(number[t.first] != -1 && place[number[t.first]] == -1)
+          for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + k]][c])
+            if(m_number[t.first] != -1 && place[m_number[t.first]] == -1)
             {
-              place[number[t.first]] = static_cast<int>(local.size());
-              local.push_back(number[t.first]);
+              place[m_number[t.first]] = static_cast<int>(local.size());
+              local.push_back(m_number[t.first]);
             }
       B.setZero(4, local.size());
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
-          for(const auto& t : coordinates.coordinates[coordinates.charts.wedge_of_corner[3 * f + k]][c])
-            if(number[t.first] != -1)
+          for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + k]][c])
+            if(m_number[t.first] != -1)
             {
-              const int i = place[number[t.first]];
-              B(2 * c, i) += t.second * faces.gradient[f](k, 0);
-              B(2 * c + 1, i) += t.second * faces.gradient[f](k, 1);
+              const int i = place[m_number[t.first]];
+              B(2 * c, i) += t.second * m_faces.gradient[f](k, 0);
+              B(2 * c + 1, i) += t.second * m_faces.gradient[f](k, 1);
             }
-      HB.noalias() = weight[f] * derivatives[a].H * B;
+      HB.noalias() = m_weight[f] * derivatives[a].H * B;
       lH.noalias() = B.transpose() * HB;
       additions += double(local.size()) * local.size();
       for(std::size_t i = 0; i < local.size(); ++i)
       {
-        gradient[local[i]] += weight[f] * B.col(i).dot(derivatives[a].g);
+        gradient[local[i]] += m_weight[f] * B.col(i).dot(derivatives[a].g);
         for(std::size_t j = 0; j < local.size(); ++j)
           sum.add(local[i], local[j], lH(i, j));
         trace += lH(i, i);
@@ -406,15 +412,15 @@ private:
     // A dense part of the integers, and nested dissection of a plane for the rest.
     const double per_addition = 10, per_variable = 10;
     operations_left -= per_addition * additions + std::pow(sum.number_of_dense_rows(), 3) / 3 +
-                       per_variable * std::pow(variables.size(), 1.5);
+                       per_variable * std::pow(m_variables.size(), 1.5);
     // Keeps the matrix definite where an element Hessian has nothing to say.
     const double relative_regularization = 1e-10;
-    hessian = sum.matrix(relative_regularization * trace / (std::max)(std::size_t(1), variables.size()));
+    hessian = sum.matrix(relative_regularization * trace / (std::max)(std::size_t(1), m_variables.size()));
   }
 
   void minimize(Eigen::VectorXd& x, int steps, bool regularize)
   {
-    if(variables.empty())
+    if(m_variables.empty())
       return;
     Eigen::VectorXd gradient;
     Eigen::SparseMatrix<double> hessian;
@@ -422,7 +428,7 @@ private:
     bool analyzed = false;
     int steps_since_unfolded = 0;
     double worst_before = -(std::numeric_limits<double>::max)();
-    for(int step = 0; step < steps && operations_left > 0; ++step)
+    for(int step = 0; step < steps && operations_left > 0 && m_progress.go_further(); ++step)
     {
       const double d = least_determinant(x);
       // The worst triangle must get better from time to time, or there is no room for it.
@@ -434,7 +440,7 @@ private:
           break;
         worst_before = d;
       }
-      distortion.epsilon = regularize && d <= 0 ? std::sqrt(1e-12 + 0.04 * d * d) : 0.;
+      m_distortion.epsilon = regularize ? Regularized_determinant::epsilon_for(d) : 0.;
       if(regularize && d > 0 && ++steps_since_unfolded > 6)
         break;
       assemble(x, gradient, hessian);
@@ -447,14 +453,14 @@ private:
       const double slope = gradient.dot(direction);
       const double before = energy(x);
       const double relative_decrease = 1e-4; // a step that promises less than this share ends the search
-      if(!(slope < 0) || (distortion.epsilon == 0 && -slope < relative_decrease * before))
+      if(!(slope < 0) || (m_distortion.epsilon == 0 && -slope < relative_decrease * before))
         break;
       bool moved = false;
       Eigen::VectorXd y = x;
       for(double t = 1; t > 1e-6; t *= 0.5)
       {
-        for(std::size_t i = 0; i < variables.size(); ++i)
-          y[variables[i]] = x[variables[i]] + t * direction[i];
+        for(std::size_t i = 0; i < m_variables.size(); ++i)
+          y[m_variables[i]] = x[m_variables[i]] + t * direction[i];
         const double after = energy(y);
         if(after <= before + 1e-4 * t * slope)
         {
@@ -466,7 +472,7 @@ private:
         break;
       x = y;
     }
-    distortion.epsilon = 0;
+    m_distortion.epsilon = 0;
   }
 };
 

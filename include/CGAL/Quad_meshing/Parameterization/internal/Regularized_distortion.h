@@ -9,11 +9,11 @@
 #ifndef CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_REGULARIZED_DISTORTION_H
 #define CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_REGULARIZED_DISTORTION_H
 
+#include <CGAL/Quad_meshing/internal/Regularized_determinant.h>
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -39,7 +39,7 @@ public:
 
   double value(const Eigen::Matrix2d& J) const
   {
-    const double D = J.determinant(), c = chi(D);
+    const double D = J.determinant(), c = chi().value(D);
     if(c <= 0)
       return (std::numeric_limits<double>::infinity)();
     return numerator(J, D) / c + 0.5 * alignment_weight * (J - Eigen::Matrix2d::Identity()).squaredNorm();
@@ -48,10 +48,8 @@ public:
   // Gradient, and the Hessian with its negative eigenvalues set to zero.
   void derivatives(const Eigen::Matrix2d& J, Vector_4& gradient, Matrix_4& hessian) const
   {
-    const double D = J.determinant(), c = chi(D), N = numerator(J, D);
-    const double root = std::sqrt(D * D + epsilon * epsilon);
-    const double dc = root > 0 ? 0.5 * (1 + D / root) : 0.5;
-    const double ddc = root > 0 ? 0.5 * epsilon * epsilon / (root * root * root) : 0;
+    const double D = J.determinant(), N = numerator(J, D);
+    const double c = chi().value(D), dc = chi().derivative(D), ddc = chi().second_derivative(D);
     const Vector_4 a(J(0, 0), J(0, 1), J(1, 0), J(1, 1));
     const Vector_4 dD(J(1, 1), -J(1, 0), -J(0, 1), J(0, 0));
     Matrix_4 ddD = Matrix_4::Zero();
@@ -66,20 +64,14 @@ public:
             - (dc / (c * c)) * (dN * dD.transpose() + dD * dN.transpose())
             + (2 * N * dc * dc / (c * c * c) - N * ddc / (c * c)) * (dD * dD.transpose())
             - (N * dc / (c * c)) * ddD;
-    Eigen::SelfAdjointEigenSolver<Matrix_4> eigen(hessian);
+    const Eigen::SelfAdjointEigenSolver<Matrix_4> eigen(hessian);
     const Vector_4 values = eigen.eigenvalues().cwiseMax(0.);
     hessian = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose()
             + alignment_weight * Matrix_4::Identity();
   }
 
 private:
-  double chi(double D) const
-  {
-    if(epsilon == 0)
-      return D;
-    const double root = std::sqrt(D * D + epsilon * epsilon);
-    return D > 0 ? 0.5 * (D + root) : 0.5 * epsilon * epsilon / (root - D); // no cancellation
-  }
+  Regularized_determinant chi() const { return Regularized_determinant{ epsilon }; }
 
   double numerator(const Eigen::Matrix2d& J, double D) const
   {

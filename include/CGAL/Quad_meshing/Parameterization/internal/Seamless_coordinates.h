@@ -44,21 +44,21 @@ public:
   // lie on a grid point.
   Seamless_coordinates(const Combed_charts& charts, const std::vector<bool>& is_singular,
                        const std::vector<bool>& is_aligned)
-    : charts(charts), mesh(charts.mesh),
-      relations(2 * mesh.number_of_vertices() + 2 * static_cast<int>(charts.paths.size())),
-      raw_is_integer(relations.number_of_variables(), false)
+    : charts(charts), m_mesh(charts.mesh),
+      m_relations(2 * m_mesh.number_of_vertices() + 2 * static_cast<int>(charts.paths.size())),
+      m_raw_is_integer(m_relations.number_of_variables(), false)
   {
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(is_singular[v])
-        raw_is_integer[2 * v] = raw_is_integer[2 * v + 1] = true;
-    for(int i = 2 * mesh.number_of_vertices(); i < relations.number_of_variables(); ++i)
-      raw_is_integer[i] = true;
+        m_raw_is_integer[2 * v] = m_raw_is_integer[2 * v + 1] = true;
+    for(int i = 2 * m_mesh.number_of_vertices(); i < m_relations.number_of_variables(); ++i)
+      m_raw_is_integer[i] = true;
 
     unfold_wedges();
     align_edges(is_aligned);
-    for(const Form_2& closure : closures)
+    for(const Grid_form& closure : m_closures)
       for(const Integer_form& f : closure)
-        relations.add_equation(f, [this](int i) { return prefers_translations(i); });
+        m_relations.add_equation(f, [this](int i) { return prefers_translations(i); });
     pin_components();
     number_variables();
   }
@@ -77,8 +77,8 @@ public:
   int quarter_of(int h) const
   {
     const int f = h / 3;
-    const auto x = mesh.vector(3 * f), d = mesh.vector(h);
-    const auto n = CGAL::cross_product(x, mesh.vector(3 * f + 1));
+    const auto x = m_mesh.vector(3 * f), d = m_mesh.vector(h);
+    const auto n = CGAL::cross_product(x, m_mesh.vector(3 * f + 1));
     const auto y = CGAL::cross_product(n, x);
     const double dx = (d * x) / std::sqrt(x * x), dy = (d * y) / std::sqrt(y * y);
     const auto& u = charts.u_direction[f];
@@ -97,40 +97,24 @@ public:
   }
 
 private:
-  typedef std::array<Integer_form, 2> Form_2;
+  const Indexed_triangle_mesh& m_mesh;
+  Integer_relations m_relations;
+  std::vector<bool> m_raw_is_integer;
+  std::vector<Grid_form> m_wedge_form; // per wedge, in raw variables
+  std::vector<Grid_form> m_closures;   // per cut vertex inside the surface: these vanish
 
-  const Indexed_triangle_mesh& mesh;
-  Integer_relations relations;
-  std::vector<bool> raw_is_integer;
-  std::vector<Form_2> wedge_form; // per wedge, in raw variables
-  std::vector<Form_2> closures;   // per cut vertex inside the surface: these vanish
-
-  int prefers_translations(int i) const { return i >= 2 * mesh.number_of_vertices() ? 1 : 0; }
-  int prefers_vertices(int i) const { return i >= 2 * mesh.number_of_vertices() ? 0 : 1; }
-
-  static Form_2 rotated(const Form_2& a, int quarters)
-  {
-    Form_2 b = a;
-    for(int i = 0; i < Combed_charts::modulo_4(quarters); ++i)
-    {
-      b[1].scale(-1);
-      std::swap(b[0], b[1]); // (u, v) -> (-v, u)
-    }
-    return b;
-  }
+  int prefers_translations(int i) const { return i >= 2 * m_mesh.number_of_vertices() ? 1 : 0; }
+  int prefers_vertices(int i) const { return i >= 2 * m_mesh.number_of_vertices() ? 0 : 1; }
 
   // The point a of the chart of the face of h, in the chart beyond h.
-  Form_2 carried_across(int h, const Form_2& a) const
+  Grid_form carried_across(int h, const Grid_form& a) const
   {
-    const int e = mesh.edge_of[h];
-    int id = charts.path_of_edge[e];
+    const int id = charts.path_crossed(h);
     if(id == 0)
       return a;
-    if(h != mesh.halfedge_of_edge[e])
-      id = -id;
     const int path = std::abs(id) - 1;
-    const int t = 2 * mesh.number_of_vertices() + 2 * path;
-    Form_2 b;
+    const int t = 2 * m_mesh.number_of_vertices() + 2 * path;
+    Grid_form b;
     if(id > 0)
     {
       b = rotated(a, charts.paths[path].rotation);
@@ -149,30 +133,30 @@ private:
 
   void unfold_wedges()
   {
-    wedge_form.resize(charts.number_of_wedges());
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    m_wedge_form.resize(charts.number_of_wedges());
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
       const int first = charts.first_wedge[v], last = charts.first_wedge[v + 1];
       if(first == last)
         continue;
-      wedge_form[first] = {{ Integer_form::variable(2 * v), Integer_form::variable(2 * v + 1) }};
-      Form_2 p = wedge_form[first];
+      m_wedge_form[first] = {{ Integer_form::variable(2 * v), Integer_form::variable(2 * v + 1) }};
+      Grid_form p = m_wedge_form[first];
       for(int w = first; w < last; ++w)
       {
         const int out = Indexed_triangle_mesh::prev(charts.wedge_halfedges[w].back()); // leads to the next wedge
-        if(mesh.opposite[out] == -1)
+        if(m_mesh.opposite[out] == -1)
           break;
-        if(!charts.is_cut[mesh.edge_of[out]])
+        if(!charts.is_cut[m_mesh.edge_of[out]])
           break; // an uncut vertex inside the surface
         p = carried_across(out, p);
         if(w + 1 < last)
-          wedge_form[w + 1] = p;
+          m_wedge_form[w + 1] = p;
         else
         {
-          Form_2 closure = p;
-          closure[0].add(wedge_form[first][0], -1);
-          closure[1].add(wedge_form[first][1], -1);
-          closures.push_back(closure);
+          Grid_form closure = p;
+          closure[0].add(m_wedge_form[first][0], -1);
+          closure[1].add(m_wedge_form[first][1], -1);
+          m_closures.push_back(closure);
         }
       }
     }
@@ -180,21 +164,21 @@ private:
 
   void align_edges(const std::vector<bool>& is_aligned)
   {
-    for(int e = 0; e < mesh.number_of_edges(); ++e)
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
     {
       if(!is_aligned[e])
         continue;
-      const int h = mesh.halfedge_of_edge[e];
+      const int h = m_mesh.halfedge_of_edge[e];
       const int c = constant_coordinate(h);
       const int from = charts.wedge_of_corner[h];
       const int to = charts.wedge_of_corner[Indexed_triangle_mesh::next(h)];
       // The line is an integer one, hence so is the raw coordinate that makes it up in either wedge.
       for(int w : { from, to })
-        for(const Integer_form::Term& t : wedge_form[w][c].terms)
-          raw_is_integer[t.first] = true;
-      Integer_form f = wedge_form[to][c];
-      f.add(wedge_form[from][c], -1);
-      relations.add_equation(f, [this](int i) { return prefers_vertices(i); });
+        for(const Integer_form::Term& t : m_wedge_form[w][c].terms)
+          m_raw_is_integer[t.first] = true;
+      Integer_form f = m_wedge_form[to][c];
+      f.add(m_wedge_form[from][c], -1);
+      m_relations.add_equation(f, [this](int i) { return prefers_vertices(i); });
     }
   }
 
@@ -207,12 +191,12 @@ private:
     std::vector<std::vector<Candidate> > candidates(charts.number_of_components);
     auto offer = [&](int i, int component, int du, int dv)
     {
-      if((du != 0 || dv != 0) && relations.is_free(i))
+      if((du != 0 || dv != 0) && m_relations.is_free(i))
         candidates[component].push_back(Candidate{ i, {{ du, dv }} });
     };
-    std::vector<int> component_of_vertex(mesh.number_of_vertices(), -1);
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
-      for(int v : mesh.corners[f])
+    std::vector<int> component_of_vertex(m_mesh.number_of_vertices(), -1);
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      for(int v : m_mesh.corners[f])
         component_of_vertex[v] = charts.component[f];
     for(int pass = 0; pass < 3; ++pass) // integer vertex coordinates, translations, other coordinates
     {
@@ -221,7 +205,7 @@ private:
         static const int rotated_u[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
         for(std::size_t k = 0; k < charts.paths.size(); ++k)
         {
-          const int t = 2 * mesh.number_of_vertices() + 2 * static_cast<int>(k), r = charts.paths[k].rotation;
+          const int t = 2 * m_mesh.number_of_vertices() + 2 * static_cast<int>(k), r = charts.paths[k].rotation;
           const int c = charts.component[charts.paths[k].halfedges.front() / 3];
           // (I - R) applied to the two unit shifts, read row by row
           offer(t, c, 1 - rotated_u[r][0], rotated_u[r][1]);
@@ -229,9 +213,9 @@ private:
         }
         continue;
       }
-      for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
         for(int c = 0; c < 2; ++c)
-          if(component_of_vertex[v] != -1 && raw_is_integer[2 * v + c] == (pass == 0))
+          if(component_of_vertex[v] != -1 && m_raw_is_integer[2 * v + c] == (pass == 0))
             offer(2 * v + c, component_of_vertex[v], c == 0, c == 1);
     }
     for(const std::vector<Candidate>& list : candidates)
@@ -241,7 +225,7 @@ private:
       {
         if(first != nullptr && first->response[0] * c.response[1] == first->response[1] * c.response[0])
           continue;
-        relations.add_equation(Integer_form::variable(c.variable), [](int) { return 0; });
+        m_relations.add_equation(Integer_form::variable(c.variable), [](int) { return 0; });
         if(first != nullptr)
           break;
         first = &c;
@@ -251,19 +235,19 @@ private:
 
   void number_variables()
   {
-    std::vector<int> number(relations.number_of_variables(), -1);
-    coordinates.resize(wedge_form.size());
-    for(std::size_t w = 0; w < wedge_form.size(); ++w)
+    std::vector<int> number(m_relations.number_of_variables(), -1);
+    coordinates.resize(m_wedge_form.size());
+    for(std::size_t w = 0; w < m_wedge_form.size(); ++w)
       for(int c = 0; c < 2; ++c)
-        for(const Integer_form::Term& t : relations.resolved(wedge_form[w][c]).terms)
+        for(const Integer_form::Term& t : m_relations.resolved(m_wedge_form[w][c]).terms)
         {
-          if(number.size() < static_cast<std::size_t>(relations.number_of_variables()))
-            number.resize(relations.number_of_variables(), -1);
+          if(number.size() < static_cast<std::size_t>(m_relations.number_of_variables()))
+            number.resize(m_relations.number_of_variables(), -1);
           if(number[t.first] == -1)
           {
             number[t.first] = number_of_variables();
             // what a unimodular change of variables has added replaces integers
-            is_integer.push_back(t.first >= static_cast<int>(raw_is_integer.size()) || raw_is_integer[t.first]);
+            is_integer.push_back(t.first >= static_cast<int>(m_raw_is_integer.size()) || m_raw_is_integer[t.first]);
           }
           coordinates[w][c].push_back(Term(number[t.first], t.second));
         }

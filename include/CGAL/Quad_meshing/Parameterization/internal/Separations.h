@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_relations.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <Eigen/Core>
 
@@ -73,11 +74,11 @@ public:
 
   std::vector<Separation> list;
 
-  // `reference` is the map in which all things lie in the right order.
+  // `reference` is the map in which all things lie in the right order. The list is not complete if the visitor stops the search.
   Separations(const Seamless_coordinates& coordinates, const std::vector<bool>& is_grid_point,
-              const std::vector<bool>& is_aligned, const Eigen::VectorXd& reference)
-    : coordinates(coordinates), charts(coordinates.charts), mesh(coordinates.charts.mesh),
-      is_grid_point(is_grid_point), is_aligned(is_aligned), reference(reference)
+              const std::vector<bool>& is_aligned, const Eigen::VectorXd& reference, Stage_progress& progress)
+    : m_coordinates(coordinates), m_charts(coordinates.charts), m_mesh(coordinates.charts.mesh),
+      m_is_grid_point(is_grid_point), m_is_aligned(is_aligned), m_reference(reference), m_progress(progress)
   {
     // Rounding moves a difference of two coordinates by about half a unit, seldom by more than one.
     discover(reference, 1.5);
@@ -87,83 +88,82 @@ public:
   // met in more than one position, of which the first counts: the smaller the reach, the fewer are missed.
   void discover(const Eigen::VectorXd& map, double farthest)
   {
-    x = map;
-    reach = farthest;
-    reached_from.assign(mesh.number_of_faces(), -1);
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      if(is_grid_point[v] && mesh.halfedge_of_vertex[v] != -1)
-        look_around(v);
-    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
-      if(is_aligned[mesh.edge_of[h]])
+    const int searches_per_report = 32; // each takes up to a millisecond
+    Small_steps steps(m_progress, searches_per_report);
+
+    m_x = map;
+    m_reach = farthest;
+    m_reached_from.assign(m_mesh.number_of_faces(), -1);
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      if(!m_is_grid_point[v] || m_mesh.halfedge_of_vertex[v] == -1)
+        continue;
+      look_around(v);
+      if(!steps.go_further())
+        return;
+    }
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if(m_is_aligned[m_mesh.edge_of[h]])
+      {
         look_across(h);
+        if(!steps.go_further())
+          return;
+      }
   }
 
 private:
-  typedef std::array<Integer_form, 2> Form_2;
-
   // The chart of a face seen from a starting chart: p -> R90^rotation p + shift.
   struct Frame
   {
     int face;
     int rotation;
-    Form_2 shift;
+    Grid_form shift;
   };
 
-  const Seamless_coordinates& coordinates;
-  const Combed_charts& charts;
-  const Indexed_triangle_mesh& mesh;
-  const std::vector<bool> is_grid_point;
-  const std::vector<bool>& is_aligned;
-  const Eigen::VectorXd reference;
-  Eigen::VectorXd x;
-  std::vector<int> reached_from; // per face
+  const Seamless_coordinates& m_coordinates;
+  const Combed_charts& m_charts;
+  const Indexed_triangle_mesh& m_mesh;
+  const std::vector<bool> m_is_grid_point;
+  const std::vector<bool>& m_is_aligned;
+  const Eigen::VectorXd m_reference;
+  Stage_progress& m_progress;
+  Eigen::VectorXd m_x;
+  std::vector<int> m_reached_from; // per face
 
-  double reach = 0; // in grid units
+  double m_reach = 0; // in grid units
 
-  Form_2 corner_form(int corner) const
+  Grid_form corner_form(int corner) const
   {
-    Form_2 p;
+    Grid_form p;
     for(int c = 0; c < 2; ++c)
     {
-      for(const auto& t : coordinates.coordinates[charts.wedge_of_corner[corner]][c])
+      for(const auto& t : m_coordinates.coordinates[m_charts.wedge_of_corner[corner]][c])
         p[c].terms.push_back(Integer_form::Term(t.first, static_cast<int>(t.second)));
       std::sort(p[c].terms.begin(), p[c].terms.end());
     }
     return p;
   }
 
-  static Form_2 rotated(Form_2 a, int quarters)
+  Grid_form seen(const Frame& frame, int corner) const
   {
-    for(int i = 0; i < Combed_charts::modulo_4(quarters); ++i)
-    {
-      a[1].scale(-1);
-      std::swap(a[0], a[1]);
-    }
-    return a;
-  }
-
-  Form_2 seen(const Frame& frame, int corner) const
-  {
-    Form_2 p = rotated(corner_form(corner), frame.rotation);
+    Grid_form p = rotated(corner_form(corner), frame.rotation);
     for(int c = 0; c < 2; ++c)
       p[c].add(frame.shift[c]);
     return p;
   }
 
-  std::array<double, 2> position(const Form_2& p) const { return {{ evaluate(p[0], x), evaluate(p[1], x) }}; }
+  std::array<double, 2> position(const Grid_form& p) const { return {{ evaluate(p[0], m_x), evaluate(p[1], m_x) }}; }
 
   Frame frame_beyond(const Frame& frame, int h) const
   {
-    const int o = mesh.opposite[h], e = mesh.edge_of[h];
+    const int o = m_mesh.opposite[h];
     Frame beyond = frame;
     beyond.face = o / 3;
-    const int id = charts.path_of_edge[e];
-    if(id == 0)
+    if(m_charts.path_crossed(h) == 0)
       return beyond;
-    const int r = charts.paths[std::abs(id) - 1].rotation;
-    beyond.rotation -= ((id > 0) == (h == mesh.halfedge_of_edge[e])) ? r : -r;
-    const Form_2 p = seen(frame, h);
-    const Form_2 q = rotated(corner_form(Indexed_triangle_mesh::next(o)), beyond.rotation);
+    beyond.rotation -= m_charts.quarters_across(h);
+    const Grid_form p = seen(frame, h);
+    const Grid_form q = rotated(corner_form(Indexed_triangle_mesh::next(o)), beyond.rotation);
     for(int c = 0; c < 2; ++c)
     {
       beyond.shift[c] = p[c];
@@ -183,12 +183,12 @@ private:
     return frame;
   }
 
-  void add(const Form_2& offset, int coordinates_that_count)
+  void add(const Grid_form& offset, int coordinates_that_count)
   {
     Separation s;
     for(int c = 0; c < 2; ++c)
     {
-      s.wanted[c] = evaluate(offset[c], reference);
+      s.wanted[c] = evaluate(offset[c], m_reference);
       if((coordinates_that_count >> c) & 1)
         s.offset[c] = offset[c];
     }
@@ -202,49 +202,45 @@ private:
   void look_around(int v)
   {
     std::queue<Frame> front;
-    const int start = mesh.halfedge_of_vertex[v];
-    int h = start;
-    do
+    for_each_corner_of_vertex(m_mesh, v, [&](int h)
     {
-      reached_from[h / 3] = v;
+      m_reached_from[h / 3] = v;
       front.push(frame_at(h));
-      h = mesh.next_around_source(h);
-    }
-    while(h != -1 && h != start);
+    });
 
     while(!front.empty())
     {
       const Frame frame = front.front();
       front.pop();
-      Form_2 p[3];
+      Grid_form p[3];
       std::array<double, 2> q[3];
       for(int k = 0; k < 3; ++k)
       {
         p[k] = seen(frame, 3 * frame.face + k);
         q[k] = position(p[k]);
-        const int w = mesh.corners[frame.face][k];
-        if(w != v && is_grid_point[w] && std::abs(q[k][0]) < reach && std::abs(q[k][1]) < reach)
+        const int w = m_mesh.corners[frame.face][k];
+        if(w != v && m_is_grid_point[w] && std::abs(q[k][0]) < m_reach && std::abs(q[k][1]) < m_reach)
           add(p[k], 3);
       }
       for(int k = 0; k < 3; ++k)
       {
         const int g = 3 * frame.face + k, l = (k + 1) % 3;
-        if(is_aligned[mesh.edge_of[g]])
+        if(m_is_aligned[m_mesh.edge_of[g]])
         {
-          const int c = (coordinates.constant_coordinate(g) + frame.rotation) & 1; // the constant one, seen from v
+          const int c = (m_coordinates.constant_coordinate(g) + frame.rotation) & 1; // the constant one, seen from v
           const double a = q[k][1 - c], b = q[l][1 - c];
-          if((std::min)(a, b) < 0 && (std::max)(a, b) > 0 && std::abs(q[k][c]) < reach)
+          if((std::min)(a, b) < 0 && (std::max)(a, b) > 0 && std::abs(q[k][c]) < m_reach)
             add(p[k], 1 << c);
           continue;
         }
-        if(mesh.opposite[g] == -1 || reached_from[mesh.opposite[g] / 3] == v)
+        if(m_mesh.opposite[g] == -1 || m_reached_from[m_mesh.opposite[g] / 3] == v)
           continue;
         bool outside = false; // the edge lies on one far side of the box
         for(int c = 0; c < 2; ++c)
-          outside = outside || (std::min)(q[k][c], q[l][c]) > reach || (std::max)(q[k][c], q[l][c]) < -reach;
+          outside = outside || (std::min)(q[k][c], q[l][c]) > m_reach || (std::max)(q[k][c], q[l][c]) < -m_reach;
         if(outside)
           continue;
-        reached_from[mesh.opposite[g] / 3] = v;
+        m_reached_from[m_mesh.opposite[g] / 3] = v;
         front.push(frame_beyond(frame, g));
       }
     }
@@ -254,10 +250,10 @@ private:
   void look_across(int h)
   {
     Frame frame = frame_at(h);
-    const int along = 1 - coordinates.constant_coordinate(h), away = 1 - along;
+    const int along = 1 - m_coordinates.constant_coordinate(h), away = 1 - along;
     const double middle = 0.5 * position(seen(frame, Indexed_triangle_mesh::next(h)))[along];
     int entry = h;
-    for(int steps = 0; steps < mesh.number_of_faces(); ++steps)
+    for(int steps = 0; steps < m_mesh.number_of_faces(); ++steps)
     {
       const int g = Indexed_triangle_mesh::next(entry), tip = Indexed_triangle_mesh::next(g);
       const double tip_along = position(seen(frame, tip))[along];
@@ -266,19 +262,19 @@ private:
       const bool through_g = (tip_along - middle) * (end_along - middle) < 0 ||
                              ((tip_along - middle) == 0 && start_along < end_along);
       const int exit = through_g ? g : tip;
-      const Form_2 p = seen(frame, exit);
+      const Grid_form p = seen(frame, exit);
       const std::array<double, 2> q = position(p), r = position(seen(frame, Indexed_triangle_mesh::next(exit)));
-      if(is_aligned[mesh.edge_of[exit]])
+      if(m_is_aligned[m_mesh.edge_of[exit]])
       {
-        const int c = (coordinates.constant_coordinate(exit) + frame.rotation) & 1;
-        if(c == away && std::abs(q[away]) < reach)
+        const int c = (m_coordinates.constant_coordinate(exit) + frame.rotation) & 1;
+        if(c == away && std::abs(q[away]) < m_reach)
           add(p, 1 << away);
         return;
       }
-      if(mesh.opposite[exit] == -1 || (std::min)(std::abs(q[away]), std::abs(r[away])) > reach)
+      if(m_mesh.opposite[exit] == -1 || (std::min)(std::abs(q[away]), std::abs(r[away])) > m_reach)
         return;
       frame = frame_beyond(frame, exit);
-      entry = mesh.opposite[exit];
+      entry = m_mesh.opposite[exit];
     }
   }
 };

@@ -31,17 +31,17 @@ public:
   // `number` is -1 for the variables that are fixed.
   Star_layout(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors,
               const std::vector<int>& number)
-    : coordinates(coordinates), mesh(coordinates.charts.mesh), faces(faces), sectors(sectors), number(number)
+    : m_coordinates(coordinates), m_mesh(coordinates.charts.mesh), m_faces(faces), m_sectors(sectors), m_number(number)
   {}
 
   // Lays out the neighbours of irregular vertices with folded faces: in their order, at angles in the proportion of those on
   // the surface and that fill the sector, at a part of their distance. Returns which variables have got a place.
   std::vector<bool> open(const std::vector<int>& folded_faces, Eigen::VectorXd& x) const
   {
-    std::vector<bool> is_folded(mesh.number_of_faces(), false), is_placed(coordinates.number_of_variables(), false);
+    std::vector<bool> is_folded(m_mesh.number_of_faces(), false), is_placed(m_coordinates.number_of_variables(), false);
     for(int f : folded_faces)
       is_folded[f] = true;
-    for(const Vertex_sectors::Sector& sector : sectors.list)
+    for(const Vertex_sectors::Sector& sector : m_sectors.list)
       if(sector.is_irregular &&
          std::any_of(sector.halfedges.begin(), sector.halfedges.end(), [&](int h) { return is_folded[h / 3]; }))
         open_sector(sector, x, is_placed);
@@ -49,18 +49,18 @@ public:
   }
 
 private:
-  const Seamless_coordinates& coordinates;
-  const Indexed_triangle_mesh& mesh;
-  const Face_gradients& faces;
-  const Vertex_sectors& sectors;
-  const std::vector<int>& number; // per variable: -1 if it is fixed
+  const Seamless_coordinates& m_coordinates;
+  const Indexed_triangle_mesh& m_mesh;
+  const Face_gradients& m_faces;
+  const Vertex_sectors& m_sectors;
+  const std::vector<int>& m_number; // per variable: -1 if it is fixed
 
   void open_sector(const Vertex_sectors::Sector& sector, Eigen::VectorXd& x, std::vector<bool>& is_placed) const
   {
     double total = 0;
     for(int h : sector.halfedges)
       total += angle_at_source(h);
-    const double scale = total > 0 ? sector.quarters * Vertex_sectors::right_angle() / total : 0;
+    const double scale = total > 0 ? sector.quarters * Vertex_sectors::right_angle / total : 0;
 
     // Directions in the chart of the face of each halfedge; `turned` counts the quarters from the first chart.
     std::vector<double> direction(sector.halfedges.size());
@@ -70,16 +70,16 @@ private:
     for(std::size_t i = 0; i < direction.size(); ++i)
     {
       const int h = sector.halfedges[i];
-      direction[i] = along + turned * Vertex_sectors::right_angle();
+      direction[i] = along + turned * Vertex_sectors::right_angle;
       const Eigen::Vector2d d = in_field_frame(h);
       const double off = std::atan2(d.y(), d.x()) - direction[i];
       mean += Eigen::Vector2d(std::cos(off), std::sin(off));
       along += scale * angle_at_source(h);
       if(i + 1 < direction.size())
-        turned += Vertex_sectors::quarters_across(coordinates.charts, Indexed_triangle_mesh::prev(h));
+        turned += m_coordinates.charts.quarters_across(Indexed_triangle_mesh::prev(h));
     }
     const double offset = sector.is_anchored
-      ? coordinates.quarter_of(sector.halfedges.front()) * Vertex_sectors::right_angle()
+      ? m_coordinates.quarter_of(sector.halfedges.front()) * Vertex_sectors::right_angle
       : std::atan2(mean.y(), mean.x());
     for(std::size_t i = 0; i < direction.size(); ++i)
     {
@@ -87,7 +87,7 @@ private:
       place(h, Indexed_triangle_mesh::next(h), direction[i] + offset, in_field_frame(h).norm(), x, is_placed);
     }
     if(sector.is_anchored)
-      place(sector.halfedges.back(), sector.last, along + turned * Vertex_sectors::right_angle() + offset,
+      place(sector.halfedges.back(), sector.last, along + turned * Vertex_sectors::right_angle + offset,
             in_field_frame(sector.last).norm(), x, is_placed);
   }
 
@@ -96,14 +96,14 @@ private:
              std::vector<bool>& is_placed) const
   {
     const double relative_radius = 0.5;
-    const int from = coordinates.charts.wedge_of_corner[center], w = coordinates.charts.wedge_of_corner[corner];
-    const double target[2] = { coordinates.value(from, 0, x) + relative_radius * distance * std::cos(direction),
-                               coordinates.value(from, 1, x) + relative_radius * distance * std::sin(direction) };
+    const int from = m_coordinates.charts.wedge_of_corner[center], w = m_coordinates.charts.wedge_of_corner[corner];
+    const double target[2] = { m_coordinates.value(from, 0, x) + relative_radius * distance * std::cos(direction),
+                               m_coordinates.value(from, 1, x) + relative_radius * distance * std::sin(direction) };
     for(int c = 0; c < 2; ++c)
-      for(const auto& t : coordinates.coordinates[w][c])
-        if(number[t.first] != -1)
+      for(const auto& t : m_coordinates.coordinates[w][c])
+        if(m_number[t.first] != -1)
         {
-          x[t.first] += (target[c] - coordinates.value(w, c, x)) / t.second;
+          x[t.first] += (target[c] - m_coordinates.value(w, c, x)) / t.second;
           is_placed[t.first] = true;
           break;
         }
@@ -111,7 +111,7 @@ private:
 
   double angle_at_source(int h) const
   {
-    const auto a = mesh.vector(h), b = -mesh.vector(Indexed_triangle_mesh::prev(h));
+    const auto a = m_mesh.vector(h), b = -m_mesh.vector(Indexed_triangle_mesh::prev(h));
     return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
   }
 
@@ -119,8 +119,8 @@ private:
   Eigen::Vector2d in_field_frame(int h) const
   {
     Eigen::Matrix2d M; // two rows of the gradient are the inverse of the two edge vectors at corner 0
-    M.row(0) = faces.gradient[h / 3].row(1);
-    M.row(1) = faces.gradient[h / 3].row(2);
+    M.row(0) = m_faces.gradient[h / 3].row(1);
+    M.row(1) = m_faces.gradient[h / 3].row(2);
     const Eigen::Matrix2d E = M.inverse();
     Eigen::Matrix<double, 2, 3> p;
     p << Eigen::Vector2d(0, 0), E.col(0), E.col(1);

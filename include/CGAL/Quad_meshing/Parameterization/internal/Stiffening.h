@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The weights of local stiffening (thesis, Section 8.4): they grow where the distortion of a triangle differs from that
+// The weights of local stiffening [Bom12, 8.4]: they grow where the distortion of a triangle differs from that
 // of its neighbours, so that local peaks are flattened and the unavoidable global stretch is left alone.
 class Stiffening
 {
@@ -30,7 +30,7 @@ public:
   std::vector<double> weight; // per face, one to begin with
 
   Stiffening(const Seamless_coordinates& coordinates, const Face_gradients& faces)
-    : weight(faces.area.size(), 1.), coordinates(coordinates), faces(faces)
+    : weight(faces.area.size(), 1.), m_coordinates(coordinates), m_faces(faces)
   {}
 
   void update_weights(const Eigen::VectorXd& x)
@@ -40,7 +40,7 @@ public:
     const int nf = static_cast<int>(weight.size());
     std::vector<double> distortion(nf);
     for(int f = 0; f < nf; ++f)
-      distortion[f] = distortion_of(faces.jacobian(f, corner_coordinates(coordinates, f, x)));
+      distortion[f] = distortion_of(m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x)));
     for(int f = 0; f < nf; ++f)
       weight[f] += (std::min)(factor * std::abs(mean_of_neighbours(distortion, f) - distortion[f]), largest_update);
     for(int i = 0; i < smoothing_steps; ++i)
@@ -53,8 +53,8 @@ public:
   }
 
 private:
-  const Seamless_coordinates& coordinates;
-  const Face_gradients& faces;
+  const Seamless_coordinates& m_coordinates;
+  const Face_gradients& m_faces;
 
   // |t s1 - 1| + |t s2 - 1| with the singular values s1 >= s2 and the orientation t = 1 or -1.
   static double distortion_of(const Eigen::Matrix2d& J)
@@ -71,9 +71,9 @@ private:
     double sum = 0;
     int n = 0;
     for(int h = 3 * f; h < 3 * f + 3; ++h)
-      if(coordinates.charts.mesh.opposite[h] != -1)
+      if(m_coordinates.charts.mesh.opposite[h] != -1)
       {
-        sum += values[coordinates.charts.mesh.opposite[h] / 3];
+        sum += values[m_coordinates.charts.mesh.opposite[h] / 3];
         ++n;
       }
     return n > 0 ? sum / n : values[f];

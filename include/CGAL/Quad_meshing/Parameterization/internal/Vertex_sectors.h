@@ -11,9 +11,9 @@
 
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
-#include <cstdlib>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -53,17 +53,7 @@ struct Vertex_sectors
         sector_of_corner[h] = static_cast<int>(s);
   }
 
-  static double right_angle() { return std::acos(-1.) / 2; }
-
-  // Quarters from the chart of the face of h to the chart beyond it.
-  static int quarters_across(const Combed_charts& charts, int h)
-  {
-    const int id = charts.path_of_edge[charts.mesh.edge_of[h]];
-    if(id == 0)
-      return 0;
-    const int r = charts.paths[std::abs(id) - 1].rotation;
-    return (id > 0) == (h == charts.mesh.halfedge_of_edge[charts.mesh.edge_of[h]]) ? r : -r;
-  }
+  static constexpr double right_angle = CGAL_PI / 2;
 
 private:
   void add_sectors(int v, const Seamless_coordinates& coordinates, int quarters, const std::vector<bool>& is_aligned)
@@ -109,7 +99,7 @@ private:
         sum += list.back().quarters;
       }
       if(mesh.opposite[out] != -1)
-        turned += quarters_across(coordinates.charts, out);
+        turned += coordinates.charts.quarters_across(out);
       h = mesh.opposite[out];
     }
     while(h != -1 && h != start);

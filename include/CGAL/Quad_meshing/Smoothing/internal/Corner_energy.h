@@ -78,6 +78,8 @@ public:
   Corner_energy_model(const Vector_3& u, const Vector_3& w) : u(u), w(w) {}
 
   double value() const { return m_value; }
+  std::array<double, 2> gradient() const { return {{ gu, gw }}; }
+  std::array<double, 3> hessian() const { return {{ huu, huw, hww }}; }   // its entries (u,u), (u,w), (w,w)
 
   void add(const Corner_energy& t, double aim, double epsilon)
   {

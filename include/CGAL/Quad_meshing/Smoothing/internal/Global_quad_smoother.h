@@ -64,13 +64,9 @@ public:
     if(m_number_of_unknowns == 0)
       return false;
     set_up();
-    Eigen::ConjugateGradient<Matrix, Eigen::Lower, Preconditioner> solver;
-    solver.setTolerance(accuracy);
-    solver.setMaxIterations(most_solver_steps);
-    solver.compute(m_matrix);
-    if(solver.info() != Eigen::Success)
+    Eigen::VectorXd x;
+    if(!m_visitor.go_further() || !solve(x))
       return false;
-    const Eigen::VectorXd x = solver.solve(-m_gradient);
 
     std::vector<Vector_3> direction(m.number_of_vertices(), Vector_3(0, 0, 0));
     double longest = 0;
@@ -102,7 +98,7 @@ public:
           for(int v : m.corners[f])
             is_bad[v] = 1;
       any = false;
-      for(int v = 0; v < m.number_of_vertices(); ++v)
+      for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
         if(is_bad[v])
           any = mend(v) || any;
     }
@@ -169,7 +165,7 @@ private:
     m_gradient = Eigen::VectorXd::Zero(m_number_of_unknowns);
     std::vector<Eigen::Triplet<double> > entries;
     entries.reserve(36 * m.number_of_faces() + m_number_of_unknowns);
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    for(int f = 0; f < m.number_of_faces() && goes_on(f); ++f)
     {
       const std::array<int, 4>& c = m.corners[f];
       const Vector_3 x = unit_or_zero(m.points[c[2]] - m.points[c[0]]), y = cross_product(m_normal[f], x);
@@ -219,6 +215,40 @@ private:
     m_matrix.setFromTriplets(entries.begin(), entries.end());
   }
 
+  // Newton's step by conjugate gradients, preconditioned by an incomplete factorization. Not `Eigen::ConjugateGradient`, which
+  // cannot be interrupted; the steps are the same. False if there is no factorization, or the visitor asks for an end.
+  bool solve(Eigen::VectorXd& x) const
+  {
+    const Preconditioner preconditioner(m_matrix);
+    if(preconditioner.info() != Eigen::Success)
+      return false;
+    const auto matrix = m_matrix.selfadjointView<Eigen::Lower>();
+    x = Eigen::VectorXd::Zero(m_number_of_unknowns);
+    Eigen::VectorXd residual = -m_gradient;
+    const double norm = residual.squaredNorm();
+    const double threshold = (std::max)(accuracy * accuracy * norm, (std::numeric_limits<double>::min)());
+    if(norm < threshold)
+      return true;
+    Eigen::VectorXd direction = preconditioner.solve(residual), product(m_number_of_unknowns), z(m_number_of_unknowns);
+    double now = residual.dot(direction);
+    for(int i = 0; i < most_solver_steps; ++i)
+    {
+      if(!m_visitor.go_further())
+        return false;
+      product.noalias() = matrix * direction;
+      const double length = now / direction.dot(product);
+      x += length * direction;
+      residual -= length * product;
+      if(residual.squaredNorm() < threshold)
+        return true;
+      z = preconditioner.solve(residual);
+      const double before = now;
+      now = residual.dot(z);
+      direction = z + (now / before) * direction;
+    }
+    return true;
+  }
+
   // Goes a part of the way; nothing has moved if that does not lessen the energy.
   bool move_all(const std::vector<Vector_3>& direction, double part)
   {
@@ -230,12 +260,12 @@ private:
     m_was_opposed.resize(nf);
     std::vector<double> energy_before(nf);
     double before = 0, after = 0;
-    for(int f = 0; f < nf; ++f)
+    for(int f = 0; f < nf && goes_on(f); ++f)
     {
       m_was_opposed[f] = is_opposed(f);
       before += energy_before[f] = energy_of_quad(f);
     }
-    for(int v = 0; v < nv; ++v)
+    for(int v = 0; v < nv && goes_on(v); ++v)
       if(m_unknown[v][0] != -1)
       {
         const Nearest nearest = walk_on_reference(v, m.points[v] + part * direction[v]);
@@ -277,8 +307,9 @@ private:
     for(; !faces.empty(); faces.swap(around))
     {
       around.clear();
-      for(int f : faces)
+      for(int i = 0; i < static_cast<int>(faces.size()) && goes_on(i); ++i)
       {
+        const int f = faces[i];
         update_face(f);
         if(is_allowed(f))
           continue;
@@ -288,8 +319,8 @@ private:
             is_back[v] = 1;
             m.points[v] = m_points_before[v];
             m_place[v] = m_place_before[v];
-            for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-              around.push_back(m_corner[i] / 4);
+            for(int j = m_first[v]; j < m_first[v + 1]; ++j)
+              around.push_back(m_corner[j] / 4);
           }
       }
     }

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_MESH_ON_REFERENCE_H
 
 #include <CGAL/Quad_meshing/Smoothing/internal/Reference_curves.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_shape.h>
 #include <CGAL/Quad_meshing/internal/Reference_surface.h>
@@ -38,8 +39,8 @@ public:
 
   Quad_mesh_on_reference(Indexed_quad_mesh& mesh, Reference_surface& surface,
                          Reference_curves& features, Reference_curves& borders,
-                         const std::vector<char>& is_fixed_vertex)
-    : m(mesh), surface(surface), features(features), borders(borders)
+                         const std::vector<char>& is_fixed_vertex, Any_visitor& visitor)
+    : m(mesh), surface(surface), features(features), borders(borders), m_visitor(visitor)
   {
     m_was_unfolded.assign(m.number_of_vertices(), 0);
     collect_incident_corners();
@@ -51,13 +52,15 @@ public:
       update_face(f);
   }
 
+  // All that takes long ends early if the visitor says so; the mesh is of no use then.
+
   // Puts every free vertex onto its reference where this folds nothing.
   void project()
   {
     m_place.assign(m.number_of_vertices(), -1);
     m_is_off.assign(m.number_of_vertices(), 0);
     int hint = -1;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
     {
       if(m_kind[v] == fixed)
         continue;
@@ -85,7 +88,7 @@ public:
   bool project_leftovers()
   {
     bool any = false;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
       if(m_is_off[v] && m_kind[v] != fixed)
       {
         put_onto_reference(v, nearest_on_reference(v, m_place[v]), 0);
@@ -100,13 +103,19 @@ public:
   std::vector<int> folded_quads()
   {
     std::vector<int> folded;
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    for(int f = 0; f < m.number_of_faces() && goes_on(f); ++f)
       if(m_jacobian[f] <= 0 || is_opposed(f))
         folded.push_back(f);
     return folded;
   }
 
 protected:
+  // Elements that are worked on before the visitor is asked again: some milliseconds.
+  static constexpr int elements_at_once = 256;
+
+  // Whether to go on with element i of many.
+  bool goes_on(int i) const { return i % elements_at_once != 0 || m_visitor.go_further(); }
+
   // A curve vertex that lies this close to a corner of the reference, relative to the sides around
   // it, is that corner.
   static constexpr double corner_capture = 0.02;
@@ -271,6 +280,7 @@ protected:
   Reference_surface& surface;
   Reference_curves& features;
   Reference_curves& borders;
+  Any_visitor& m_visitor;
 
   std::vector<int> m_first, m_corner;     // per vertex: the halfedges that leave it, border or not
   std::vector<Vertex_kind> m_kind;        // per vertex

@@ -58,16 +58,16 @@ public:
     std::vector<int> best_place = m_place;
     std::vector<char> best_is_off = m_is_off;
     auto best = badness();
-    for(int round = 0; round < unfolding_rounds && !folded.empty(); ++round)
+    for(int round = 0; round < unfolding_rounds && !folded.empty() && m_visitor.go_further(); ++round)
     {
       std::vector<int> region_faces, region_vertices;
       grow(folded, region_faces, region_vertices);
-      for(int f : region_faces)
-        m_normal[f] = reference_normal(f);
-      for(int v : region_vertices)
+      for(int i = 0; i < static_cast<int>(region_faces.size()) && goes_on(i); ++i)
+        m_normal[region_faces[i]] = reference_normal(region_faces[i]);
+      for(int i = 0; i < static_cast<int>(region_vertices.size()) && goes_on(i); ++i)
       {
-        m_was_unfolded[v] = 1;
-        improve(v, false);
+        m_was_unfolded[region_vertices[i]] = 1;
+        improve(region_vertices[i], false);
       }
       for(int f : region_faces)
         update_face(f);
@@ -94,7 +94,7 @@ public:
   {
     update_scales();
     bool any = false;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
     {
       if(m_kind[v] == fixed || !m_active[v])
         continue;

@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ACCEPTED_SHAPE_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_ACCEPTED_SHAPE_H
 
-#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,9 +43,10 @@ public:
 
   bool accepts(const Quad_mesh_smoothing_result& r) const
   {
-    return !m_is_limited
-        || (r.folded_quads_after <= m_most_folded && r.quality_after.number_of_inverted_quads <= m_most_inverted
-            && r.quality_after.minimal_scaled_jacobian >= m_least_jacobian);
+    return r.status == Quad_mesh_smoothing_status::SMOOTHED
+        && (!m_is_limited
+            || (r.folded_quads_after <= m_most_folded && r.quality_after.number_of_inverted_quads <= m_most_inverted
+                && r.quality_after.minimal_scaled_jacobian >= m_least_jacobian));
   }
 
   // Of what is accepted.

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_UNWINDING_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_HELIX_UNWINDING_H
 
+#include <CGAL/Quad_meshing/Structure/internal/Gp_operators.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>

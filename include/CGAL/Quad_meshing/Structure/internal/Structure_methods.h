@@ -15,6 +15,9 @@
 #include <CGAL/Quad_meshing/Structure/internal/Shape_watch.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_optimizer.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
+#include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Watched_visitor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,39 +27,34 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-struct Structure_options
-{
-  bool merge_singularities = false;
-  bool collapse_dual_curves = false;
-  std::size_t target_quads = 0;
-  std::size_t target_patches = 0;
-  unsigned int layouts = 10000;
-  unsigned int smoothing_iterations = 20;
-};
-
 // Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is accepted
 // after smoothing; if the shape of none is, the mesh stays as it is. `smooth(state, sweeps)` smooths and returns what has been done.
-template <typename Smooth, typename Visitor>
+template <typename Smooth>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
-                     const Smooth& smooth, Visitor& visitor)
+                     const Smooth& smooth, Any_visitor& visitor)
 {
   // How many layouts are realized and smoothed after each search, and how many quads all of them have together at most.
   constexpr int layouts_per_search = 4;
   constexpr std::size_t most_quads = 400000;
+  // The part of the running time that a first search may take, so that some is left for its layouts.
+  constexpr double search_share = 0.5;
   const std::size_t quads = optimizer.state.mesh.corners.size();
   const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
                            : options.collapse_dual_curves ? 1 : quads;
   const int attempts = static_cast<int>(options.layouts);
-  auto go_further = [&] { return visitor.go_further(); };
-  auto progress = [&](double p) { visitor.progress(p); };
+  if(!visitor.go_further())
+    return;
   Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
-  layout.search(attempts, go_further, progress);
+  if(!visitor.go_further())
+    return;
+  Watched_visitor searching(visitor, search_share * options.maximum_running_time);
+  layout.search(attempts, searching);
 
   Structure_state best, candidate;
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
   bool is_done = false;
-  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate); )
+  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, visitor); )
   {
     quads_tried += candidate.mesh.corners.size();
     const Structure_optimizer::Score score = Structure_optimizer::score_of(candidate.mesh);
@@ -72,7 +70,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
     if(++tried == layouts_per_search && !is_done)
     {
       const bool any = least_price < Layout_cost::forbidden;
-      is_done = !layout.search_again(attempts, !any, go_further, progress) && any;
+      is_done = !layout.search_again(attempts, !any, visitor) && any;
       tried = 0;
     }
   }
@@ -81,8 +79,8 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
 }
 
 // The greedy removal of helices. What spoils the shape of the quads is taken back.
-template <typename Watch, typename TargetReached, typename Visitor>
-void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached, Visitor& visitor)
+template <typename Watch, typename TargetReached>
+void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached, Any_visitor& visitor)
 {
   // How often operators are taken back before no more are tried.
   constexpr int most_undone = 20;
@@ -113,10 +111,11 @@ void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetRe
 }
 
 // Collapses dual curves. If the shape is not accepted in the end, the last ones are taken back.
-template <typename Watch, typename TargetReached, typename Visitor>
-void collapse_dual_curves(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached, Visitor& visitor)
+template <typename Watch, typename TargetReached>
+void collapse_dual_curves(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached, Any_visitor& visitor)
 {
-  while(!target_reached() && visitor.go_further() && optimizer.collapse_next_dual_curve())
+  auto go_further = [&] { return visitor.go_further(); };
+  while(!target_reached() && visitor.go_further() && optimizer.collapse_next_dual_curve(go_further))
     watch.accepts_next();
   if(!watch.accepts())
     watch.undo();

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_STRUCTURE_OPTIMIZER_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_STRUCTURE_OPTIMIZER_H
 
+#include <CGAL/Quad_meshing/Structure/internal/Gp_operators.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_path.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Helix_unwinding.h>
@@ -58,8 +59,8 @@ public:
   // per face before the last removal of a helix: as `has_failed`, if that has failed, too
   std::vector<char> has_failed_if_undone;
 
-  Structure_optimizer(Indexed_quad_mesh mesh, std::vector<char> is_fixed, bool merge_singularities)
-    : state(initial_structure_state(std::move(mesh), std::move(is_fixed))), m_merge_singularities(merge_singularities),
+  Structure_optimizer(Structure_state input, bool merge_singularities)
+    : state(std::move(input)), m_merge_singularities(merge_singularities),
       m_unwind(merge_singularities), m_quads_of_input(state.mesh.number_of_faces()), m_score(score_of(state.mesh))
   {}
 
@@ -138,7 +139,8 @@ public:
   }
 
   // Collapses the shortest dual curve that may be collapsed; false if there is none.
-  bool collapse_next_dual_curve()
+  template <typename GoFurther>
+  bool collapse_next_dual_curve(const GoFurther& go_further)
   {
     const Indexed_quad_mesh& m = state.mesh;
     const Dual_lines lines(m);
@@ -152,6 +154,8 @@ public:
     for(const std::pair<int, int>& o : order)
     {
       const Gp_path path = collapse_path(m, lines.first[o.second]);
+      if(!go_further())
+        return false;
       if(legality.check(path))
         continue;
       Structure_state result;

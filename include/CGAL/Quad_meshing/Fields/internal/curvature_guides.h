@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_INTERNAL_CURVATURE_GUIDES_H
+#define CGAL_QUAD_MESHING_FIELDS_INTERNAL_CURVATURE_GUIDES_H
+
+#include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/compiled_kernels.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+// The direction of every salient face, the zero vector for all other faces; see `salient_directions()`.
+CGAL_QUAD_MESHING_INLINE Curvature_guide_result
+find_salient_directions(const Indexed_triangle_mesh& mesh, double target_edge_length, double minimum_anisotropy,
+                        Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction);
+
+// The target edge length of every face; see `curvature_sizing()`.
+CGAL_QUAD_MESHING_INLINE Curvature_guide_result
+find_curvature_sizing(const Indexed_triangle_mesh& mesh, double tolerance, double minimum, double maximum, double gradation,
+                      Any_visitor& visitor, std::vector<double>& length);
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
+#  include <CGAL/Quad_meshing/Fields/internal/curvature_guides_impl.h>
+#endif
+
+#endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_CURVATURE_GUIDES_H

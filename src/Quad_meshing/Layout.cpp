@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// The kernels of the room Layout.
+
+#include <CGAL/Quad_meshing/Layout/internal/Layout_distortion_impl.h>
