@@ -63,8 +63,9 @@ inline Problem make_map(int width, int integers)
   return problem;
 }
 
-// A map of a grid cut into square tiles, each with coordinates of its own for all of its nodes: transitions across the cuts are equality
-// constraints with an integer translation per cut, and a few long ones say that paths across all tiles have integer lengths.
+// A map of a grid cut into square tiles, each with coordinates of its own for all of its nodes: transitions across
+// the cuts are equality constraints with an integer translation per cut, and a few long ones say that paths across
+// all tiles have integer lengths.
 inline Problem make_constrained_map(int width)
 {
   const int tile = 10, tiles = width / tile, nodes = tile + 1;
@@ -156,7 +157,8 @@ inline Mesh resized(Mesh tm, std::size_t triangles)
 
 inline QM::internal::Indexed_triangle_mesh indexed(const Mesh& tm)
 {
-  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm),
+                                                  get(boost::face_index, tm));
 }
 
 // The angles and period jumps of a smooth cross field without constraints.
@@ -168,8 +170,8 @@ inline Problem field_problem(const Mesh& tm)
   return QM::internal::Mixed_integer_field(field).system();
 }
 
-// The seamless map of about `quads` quads that follows the smooth cross field, features and border aligned; its integers are
-// the coordinates of singularities and features and the translations across cuts.
+// The seamless map of about `quads` quads that follows the smooth cross field, features and border aligned; its
+// integers are the coordinates of singularities and features and the translations across cuts.
 inline Problem map_problem(Mesh tm, double quads)
 {
   using namespace QM::internal;

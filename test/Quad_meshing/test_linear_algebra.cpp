@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The sparse Cholesky factorization against products with the matrix and dense solutions, real and complex, with the default solver
-// and with one of the user.
+// The sparse Cholesky factorization against products with the matrix and dense solutions, real and complex, with the
+// default solver and with one of the user.
 
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>

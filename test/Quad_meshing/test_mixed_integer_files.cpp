@@ -65,19 +65,22 @@ void mps()
   assert(read(text, problem, names));
   assert(names == std::vector<std::string>({ "x", "y", "z" }));
   assert(problem.is_integer(0) && !problem.is_integer(1) && problem.number_of_integers() == 1);
-  assert(problem.upper_bound(0) == 4. && problem.lower_bound(1) == -1. && problem.lower_bound(2) == -problem.infinity());
+  assert(problem.upper_bound(0) == 4. && problem.lower_bound(1) == -1. &&
+         problem.lower_bound(2) == -problem.infinity());
   assert(problem.equality_constraints().size() == 1 && problem.inequality_constraints().size() == 3);
   // x + 2 y - z + y^2 + 3 with z = y + 0.5, 1.5 <= x + y <= 4, x >= 1: y^2 + y + x + 2.5, x = 2, y = -0.5.
   for(Method method : { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT })
   {
     const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
-    assert(s.status == Status::OPTIMAL && s.x[0] == 2. && std::fabs(s.x[1] + 0.5) < 1e-6 && std::fabs(s.energy - 4.25) < 1e-9);
+    assert(s.status == Status::OPTIMAL && s.x[0] == 2. && std::fabs(s.x[1] + 0.5) < 1e-6 &&
+           std::fabs(s.energy - 4.25) < 1e-9);
   }
   assert(read("OBJSENSE\n MAX\nROWS\n N c\nCOLUMNS\n x c 3\nBOUNDS\n UP b x 5\nENDATA\n", problem, names));
   assert(QM::solve_mixed_integer(problem).energy == -15.);
 
-  for(const char* wrong : { "", "NAME x\n", "ROWS\n N c\nCOLUMNS\n x d 1\nENDATA\n", "ROWS\n N c\nCOLUMNS\n x c one\nENDATA\n",
-                            "ROWS\n X c\nENDATA\n", "ROWS\n N c\nBOUNDS\n UP b y 1\nENDATA\n", "SOS\n x\nENDATA\n" })
+  for(const char* wrong :
+      {"", "NAME x\n", "ROWS\n N c\nCOLUMNS\n x d 1\nENDATA\n", "ROWS\n N c\nCOLUMNS\n x c one\nENDATA\n",
+       "ROWS\n X c\nENDATA\n", "ROWS\n N c\nBOUNDS\n UP b y 1\nENDATA\n", "SOS\n x\nENDATA\n"})
   {
     assert(!read(wrong, problem, names));
     assert(names.size() == 1); // as it was
@@ -134,7 +137,8 @@ void write_mps(const Problem& problem, const std::string& filename)
     out << " side r" << r << " " << problem.inequality_constraints()[r].rhs << "\n";
   out << "BOUNDS\n";
   for(int i = 0; i < problem.number_of_variables(); ++i)
-    out << " LO limit x" << i << " " << problem.lower_bound(i) << "\n UP limit x" << i << " " << problem.upper_bound(i) << "\n";
+    out << " LO limit x" << i << " " << problem.lower_bound(i) << "\n UP limit x" << i << " " << problem.upper_bound(i)
+        << "\n";
   out << "ENDATA\n";
 }
 
@@ -146,7 +150,10 @@ struct Other_solver
   std::vector<std::string> infeasible; // what says that there is none
 };
 
-bool is_installed(const Other_solver& solver) { return std::system((solver.version + " > other_version.txt 2>&1").c_str()) == 0; }
+bool is_installed(const Other_solver& solver)
+{
+  return std::system((solver.version + " > other_version.txt 2>&1").c_str()) == 0;
+}
 
 double optimum_of(const Other_solver& solver)
 {
@@ -164,11 +171,16 @@ double optimum_of(const Other_solver& solver)
 
 void other_solvers()
 {
-  const Other_solver solvers[] = {
-    { "GLPK", "glpsol --version", "glpsol --freemps random.mps -o other_solution.txt", "cost = ", { "INTEGER EMPTY", "INTEGER UNDEFINED" } },
-    { "Cbc", "cbc -quit", "cbc random.mps solve solution other_solution.txt", "objective value",
-      { "Infeasible", "infeasible" } }
-  };
+  const Other_solver solvers[] = {{"GLPK",
+                                   "glpsol --version",
+                                   "glpsol --freemps random.mps -o other_solution.txt",
+                                   "cost = ",
+                                   {"INTEGER EMPTY", "INTEGER UNDEFINED"}},
+                                  {"Cbc",
+                                   "cbc -quit",
+                                   "cbc random.mps solve solution other_solution.txt",
+                                   "objective value",
+                                   {"Infeasible", "infeasible"}}};
   for(const Other_solver& solver : solvers)
   {
     if(!is_installed(solver))
@@ -193,8 +205,9 @@ void other_solvers()
       feasible += is_feasible;
       for(Method method : { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT, Method::CUTTING_PLANES })
       {
-        const Solution s = QM::solve_mixed_integer(again, params::rounding_method(method).maximum_running_time(20.)
-                                                            .maximum_number_of_nodes(method == Method::CUTTING_PLANES ? 200 : 20000));
+        const Solution s = QM::solve_mixed_integer(
+            again, params::rounding_method(method).maximum_running_time(20.).maximum_number_of_nodes(
+                       method == Method::CUTTING_PLANES ? 200 : 20000));
         if(s.status == Status::LIMIT_REACHED || s.status == Status::FEASIBLE)
         {
           assert(method == Method::CUTTING_PLANES); // which need not end with real variables
@@ -204,7 +217,8 @@ void other_solvers()
         assert(!is_feasible || std::fabs(s.energy - best) < 1e-4 * (1. + std::fabs(best)));
       }
     }
-    std::cout << "  " << solver.name << ": " << problems << " problems, " << feasible << " of them feasible" << std::endl;
+    std::cout << "  " << solver.name << ": " << problems << " problems, " << feasible << " of them feasible"
+              << std::endl;
     assert(feasible > problems / 2);
   }
 }

@@ -33,8 +33,9 @@ typedef QM::Mixed_integer_solution Solution;
 typedef QM::Mixed_integer_status Status;
 typedef QM::Rounding_method Method;
 
-const Method all_methods[] = { Method::RELAXED, Method::DIRECT, Method::NAIVE, Method::GREEDY, Method::LATTICE, Method::BRANCH_AND_BOUND,
-                               Method::BRANCH_AND_CUT, Method::CUTTING_PLANES, Method::OUTER_APPROXIMATION };
+const Method all_methods[] = {Method::RELAXED,        Method::DIRECT,         Method::NAIVE,
+                              Method::GREEDY,         Method::LATTICE,        Method::BRANCH_AND_BOUND,
+                              Method::BRANCH_AND_CUT, Method::CUTTING_PLANES, Method::OUTER_APPROXIMATION};
 
 // Strongly coupled integers: no search proves their optimum.
 Problem coupled_integers(int integers, double bound)
@@ -158,16 +159,26 @@ std::vector<Long_work> long_works()
   works.push_back({ "linear branch-and-cut", knapsacks(40), with(Method::BRANCH_AND_CUT), false });
   works.push_back({ "cutting planes", knapsacks(30), with(Method::CUTTING_PLANES), false });
   works.push_back({ "naive", local_integers(75), with(Method::NAIVE), true });
-  works.push_back({ "greedy", local_integers(75), [](const Problem& problem, Watch& watch, double seconds)
-  {
-    return QM::solve_mixed_integer(problem, params::rounding_method(Method::GREEDY).rounding_tolerance(1e-12)
-                                              .simultaneous_rounding(false).maximum_running_time(seconds).visitor(std::ref(watch)));
-  }, true });
-  works.push_back({ "relaxation", coupled_integers(120, 0.), [](const Problem& problem, Watch& watch, double seconds)
-  {
-    return QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE).maximum_number_of_nodes(1e4)
-                                              .number_of_bound_rounds(1000).maximum_running_time(seconds).visitor(std::ref(watch)));
-  }, true });
+  works.push_back({"greedy", local_integers(75),
+                   [](const Problem& problem, Watch& watch, double seconds)
+                   {
+                     return QM::solve_mixed_integer(problem, params::rounding_method(Method::GREEDY)
+                                                                 .rounding_tolerance(1e-12)
+                                                                 .simultaneous_rounding(false)
+                                                                 .maximum_running_time(seconds)
+                                                                 .visitor(std::ref(watch)));
+                   },
+                   true});
+  works.push_back({"relaxation", coupled_integers(120, 0.),
+                   [](const Problem& problem, Watch& watch, double seconds)
+                   {
+                     return QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE)
+                                                                 .maximum_number_of_nodes(1e4)
+                                                                 .number_of_bound_rounds(1000)
+                                                                 .maximum_running_time(seconds)
+                                                                 .visitor(std::ref(watch)));
+                   },
+                   true});
   return works;
 }
 
@@ -197,7 +208,8 @@ void stop_later()
     Watch watch(0.6);
     const Solution s = work.solve(work.problem, watch, 1e9);
     const double delay = watch.timer.time() - watch.stopped_at;
-    std::cout << "  " << work.name << ": ends after " << delay << " s, longest pause " << watch.longest_pause << " s" << std::endl;
+    std::cout << "  " << work.name << ": ends after " << delay << " s, longest pause " << watch.longest_pause << " s"
+              << std::endl;
     assert(s.status == Status::STOPPED && s.x.size() == 0 && watch.stages == 0);
     assert(watch.stopped_at > 0. && delay < soon && watch.longest_pause < soon);
   }
@@ -210,7 +222,8 @@ void running_time()
     {
       Watch watch(1e9);
       const Solution s = work.solve(work.problem, watch, limit);
-      std::cout << "  " << work.name << ", " << limit << " s: " << QM::status_name(s.status) << ", " << s.message << std::endl;
+      std::cout << "  " << work.name << ", " << limit << " s: " << QM::status_name(s.status) << ", " << s.message
+                << std::endl;
       assert(s.status == Status::FEASIBLE || s.status == Status::LIMIT_REACHED);
       assert(s.message.find("time limit") != std::string::npos);
       assert(s.status == Status::FEASIBLE || !work.has_early_solution);
@@ -233,7 +246,8 @@ void constraint_tolerance()
   problem.add_equality_constraint({ { 0, 1.25 }, { 1, 3.1 } }, 1. + 1e-4);
   assert(QM::solve_mixed_integer(problem).status == Status::CONFLICTING_CONSTRAINTS);
   const Solution loose = QM::solve_mixed_integer(problem, params::constraint_tolerance(1e-3));
-  assert(loose.is_valid() && loose.redundant_constraints == std::vector<int>(1, 1) && loose.conflicting_constraints.empty());
+  assert(loose.is_valid() && loose.redundant_constraints == std::vector<int>(1, 1) &&
+         loose.conflicting_constraints.empty());
 
   // Coefficients that cancel up to 1e-5 make a constraint a dependent one, or a very sensitive one.
   problem = Problem(2);
@@ -243,7 +257,8 @@ void constraint_tolerance()
   problem.add_equality_constraint({ { 0, 1.25 }, { 1, 3.1 + 1e-5 } }, 1.);
   assert(QM::solve_mixed_integer(problem).redundant_constraints.empty());
   assert(std::fabs(QM::solve_mixed_integer(problem).x[1]) < 1e-6);
-  assert(QM::solve_mixed_integer(problem, params::constraint_tolerance(1e-4)).redundant_constraints == std::vector<int>(1, 1));
+  assert(QM::solve_mixed_integer(problem, params::constraint_tolerance(1e-4)).redundant_constraints ==
+         std::vector<int>(1, 1));
 }
 
 void relative_gap_tolerance()
@@ -296,8 +311,8 @@ void allow_refactorization()
                         .conjugate_gradient_iterations(1);
   const Solution with = QM::solve_mixed_integer(problem, levels);
   const Solution without = QM::solve_mixed_integer(problem, levels.allow_refactorization(false));
-  std::cout << "  " << with.factorizations << " and " << without.factorizations << " factorizations, energies " << with.energy << " and "
-            << without.energy << std::endl;
+  std::cout << "  " << with.factorizations << " and " << without.factorizations << " factorizations, energies "
+            << with.energy << " and " << without.energy << std::endl;
   assert(with.is_valid() && with.factorizations > 2 && with.factorization_roundings > 0);
   assert(without.is_valid() && without.factorizations == 2 && without.factorization_roundings == 0);
   const Solution direct = QM::solve_mixed_integer(problem, params::rounding_method(Method::DIRECT));

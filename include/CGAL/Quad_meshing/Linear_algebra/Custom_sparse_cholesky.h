@@ -109,8 +109,8 @@ private:
 
 The kernels of this package take it as a model of how they shall solve.
 
-\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver is made for symmetric positive definite matrices
-or for all
+\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver is made for symmetric positive
+definite matrices or for all
 */
 template <typename SolverTraits>
 Sparse_cholesky<double> custom_sparse_cholesky()

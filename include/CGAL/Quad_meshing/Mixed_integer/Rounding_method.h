@@ -26,8 +26,8 @@ enum class Rounding_method
   RELAXED,
   /// All integers are rounded at once from the relaxed solution. Two linear systems, poor energy.
   DIRECT,
-  /// One integer at a time, the one nearest to an integer first, with the exact solution of the
-  /// others after each rounding: one sparse system, and every 64 roundings a factorization. The reference for greedy rounding.
+  /// One integer at a time, the one nearest to an integer first, with the exact solution of the others after each
+  /// rounding: one sparse system, and every 64 roundings a factorization. The reference for greedy rounding.
   NAIVE,
   /// The same order of roundings, at a fraction of the cost: one factorization and dense updates if
   /// integers are few, else local Gauss-Seidel, preconditioned conjugate gradient and sparse Cholesky,

@@ -221,7 +221,9 @@ private:
     if(has_value && !number(words[place + 1], value))
       return false;
     const double infinite = 1e30; // by custom
-    value = value >= infinite ? Mixed_integer_problem::infinity() : value <= -infinite ? -Mixed_integer_problem::infinity() : value;
+    value = value >= infinite    ? Mixed_integer_problem::infinity()
+            : value <= -infinite ? -Mixed_integer_problem::infinity()
+                                 : value;
     if(kind == "UI" || kind == "LI" || kind == "BV")
       column.is_integer = true;
     if(kind == "UP" || kind == "UI")
@@ -323,9 +325,10 @@ private:
 \brief reads a linear or convex quadratic mixed-integer problem in the MPS format.
 
 Known are the sections `NAME`, `OBJSENSE`, `ROWS`, `COLUMNS` with its integer markers, `RHS`, `RANGES`, `BOUNDS`, and
-for quadratic objectives `QUADOBJ` (one triangle) and `QMATRIX` (the whole matrix). Names must not contain spaces. The first row of kind N
-is the objective; a problem that maximizes becomes one that minimizes the opposite. Integer variables have no upper bound
-but what is given; a negative upper bound takes the lower bound zero away unless a lower bound was given before.
+for quadratic objectives `QUADOBJ` (one triangle) and `QMATRIX` (the whole matrix). Names must not contain spaces. The
+first row of kind N is the objective; a problem that maximizes becomes one that minimizes the opposite. Integer
+variables have no upper bound but what is given; a negative upper bound takes the lower bound zero away unless a lower
+bound was given before.
 
 \param in the stream to read from
 \param problem receives the problem; unchanged if reading fails
@@ -334,7 +337,8 @@ but what is given; a negative upper bound takes the lower bound zero away unless
 
 \return whether a problem was read
 */
-inline bool read_mps(std::istream& in, Mixed_integer_problem& problem, std::vector<std::string>& names, std::string& message)
+inline bool read_mps(std::istream& in, Mixed_integer_problem& problem, std::vector<std::string>& names,
+                     std::string& message)
 {
   return internal::Mps_reader().read(in, problem, names, message);
 }

@@ -211,7 +211,8 @@ CGAL_QUAD_MESHING_INLINE Sparse_cholesky<Number>::Sparse_cholesky()
 template <typename Number>
 CGAL_QUAD_MESHING_INLINE bool Sparse_cholesky<Number>::compute_semidefinite(const View& A)
 {
-  // Relative to the largest diagonal entry: from what round-off leaves of a zero to what an accurate solution still bears.
+  // Relative to the largest diagonal entry: from what round-off leaves of a zero to what an accurate solution still
+  // bears.
   const double relative_shifts[] = { 1e-12, 1e-10, 1e-8 };
 
   m_shift = 0;

@@ -95,8 +95,8 @@ struct Bounded_problem
     return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.is_integral; });
   }
 
-  // Whether a point whose integer variables are integers meets all constraints and bounds: exactly where they ask for integers, and up
-  // to what the rounding of real numbers explains elsewhere.
+  // Whether a point whose integer variables are integers meets all constraints and bounds: exactly where they ask for
+  // integers, and up to what the rounding of real numbers explains elsewhere.
   bool is_met_by(const Eigen::VectorXd& y) const
   {
     const double round_off = 1e-9; // relative to one and to the numbers that are compared
@@ -123,7 +123,8 @@ struct Bounded_problem
   }
 };
 
-// The inequalities of a problem and bounds that may be tighter than its own. Returns false if a lower bound exceeds an upper one.
+// The inequalities of a problem and bounds that may be tighter than its own. Returns false if a lower bound exceeds
+// an upper one.
 inline bool make_constraints(const Bounded_problem& problem, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                              std::vector<Dual_active_set::Constraint>& constraints)
 {
@@ -225,8 +226,9 @@ private:
     return row.is_integral ? CGAL::is_negative(row.rhs) : CGAL::to_double(row.rhs) < -tolerance;
   }
 
-  // Scales a row over integer variables to integers without a common divisor, and rounds its right-hand side down. Coefficients that
-  // doubles hold only up to round-off, as those of 0.1 x + 0.2 y <= 0.3, are taken for the fractions that they stand for.
+  // Scales a row over integer variables to integers without a common divisor, and rounds its right-hand side down.
+  // Coefficients that doubles hold only up to round-off, as those of 0.1 x + 0.2 y <= 0.3, are taken for the
+  // fractions that they stand for.
   static bool make_integral(Row& row)
   {
     const Rational largest_denominator(1048576.);
@@ -252,7 +254,8 @@ private:
         a.second = Number::nearest_integer(a.second * Rational(f.factor));
       row.rhs = row.rhs * Rational(f.factor);
       const Rational nearest = Number::nearest_integer(row.rhs);
-      if(std::fabs(CGAL::to_double(row.rhs - nearest)) <= round_off * (std::max)(1., std::fabs(CGAL::to_double(nearest))))
+      if(std::fabs(CGAL::to_double(row.rhs - nearest)) <=
+         round_off * (std::max)(1., std::fabs(CGAL::to_double(nearest))))
         row.rhs = nearest;
     }
     Rational divisor(0);

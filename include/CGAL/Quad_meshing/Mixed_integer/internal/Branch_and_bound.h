@@ -40,7 +40,8 @@ struct Search_result
   Eigen::VectorXd y;
   double energy = std::numeric_limits<double>::infinity();
   double lower_bound = -std::numeric_limits<double>::infinity();
-  double bound_in_box = -std::numeric_limits<double>::infinity(); // like the lower bound, even where it rests on the box
+  // like the lower bound, even where it rests on the box
+  double bound_in_box = -std::numeric_limits<double>::infinity();
   double nodes = 0.;
   int cuts = 0;
 
@@ -113,8 +114,8 @@ inline int branching_variable(const Eigen::VectorXd& y, const std::vector<char>&
   return best;
 }
 
-// Branch-and-bound [Bom12, 4.1] for a convex quadratic energy with constraints, by the dual active-set method, whose cost is the bound
-// of a subproblem.
+// Branch-and-bound [Bom12, 4.1] for a convex quadratic energy with constraints, by the dual active-set method, whose
+// cost is the bound of a subproblem.
 class Branch_and_bound
 {
   struct Node
@@ -138,7 +139,8 @@ public:
     , m_pseudo_costs(quadratic.step_costs())
   {}
 
-  // The least energy without integer conditions: infinite if the constraints contradict each other, minus infinity if it is not known.
+  // The least energy without integer conditions: infinite if the constraints contradict each other, minus infinity if
+  // it is not known.
   double relaxed_energy()
   {
     const Convex_quadratic::Minimum minimum = relax(m_problem.lower, m_problem.upper);
@@ -226,7 +228,8 @@ private:
     node->lower = lower;
     node->upper = upper;
     node->depth = parent.depth + 1;
-    node->variable = branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
+    node->variable =
+        branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
     if(node->variable >= 0)
     {
       node->split = std::floor(node->y[node->variable]);
@@ -250,7 +253,8 @@ private:
       if(m_problem.is_integer[i])
       {
         const double below = node->y[i] - std::floor(node->y[i]);
-        node->estimate += (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
+        node->estimate +=
+            (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
       }
     double key = node->energy;
     if(m_options.subproblem_selection == Subproblem_selection::DEPTH_FIRST)
@@ -281,8 +285,8 @@ private:
       m_result.accept(minimum.y, m_quadratic.energy(minimum.y));
   }
 
-  // All integers of a node are integers up to round-off: makes them so and solves for the rest once more. Returns whether the node may hold
-  // something better still; it then knows how to be divided.
+  // All integers of a node are integers up to round-off: makes them so and solves for the rest once more. Returns
+  // whether the node may hold something better still; it then knows how to be divided.
   bool fathom(Node& node)
   {
     Eigen::VectorXd rounded = node.y;

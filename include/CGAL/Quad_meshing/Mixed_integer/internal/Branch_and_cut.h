@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Branch-and-cut [Bom12, 4.3]: a branch-and-bound method that adds mixed-integer Gomory cuts at a node as long as they raise its bound
-// significantly.
+// Branch-and-cut [Bom12, 4.3]: a branch-and-bound method that adds mixed-integer Gomory cuts at a node as long as
+// they raise its bound significantly.
 //
 // Bounds and cuts come from linear programs in exact rationals. A quadratic objective enters them as tangent planes: at
 // each node the quadratic relaxation is solved first, and the plane that touches the objective at its minimum lifts
@@ -132,9 +132,10 @@ private:
   {
     const double epsilon = 1e-10, round_off = 1e-9, absolute_round_off = 1e-12;
     return m_result.is_found &&
-           m_result.energy - bound <= (std::max)(m_options.relative_gap_tolerance, m_master.is_linear() ? 0. : round_off)
-                                      * (std::fabs(m_result.energy) + epsilon)
-                                      + (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
+           m_result.energy - bound <=
+               (std::max)(m_options.relative_gap_tolerance, m_master.is_linear() ? 0. : round_off) *
+                       (std::fabs(m_result.energy) + epsilon) +
+                   (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
   }
 
   int variable_of(const Eigen::VectorXd& y, double tolerance) const
@@ -161,8 +162,8 @@ private:
       m_result.accept(y, m_master.is_linear() ? m_master.energy(y) : node.bound);
   }
 
-  // A point whose integer variables are integers up to round-off, in a quadratic program. Returns whether the node may hold
-  // something better still; it then knows how to be divided.
+  // A point whose integer variables are integers up to round-off, in a quadratic program. Returns whether the node
+  // may hold something better still; it then knows how to be divided.
   bool fathom_quadratic(Node& node, const Eigen::VectorXd& y)
   {
     double farthest = -1.;
@@ -431,7 +432,8 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
 }
 
 // The cutting-plane method [Bom12, 4.2] for linear objectives. With integers only, Gomory's fractional cuts from the
-// first row that has no integer value end after finitely many steps; with real variables too, mixed-integer cuts may not.
+// first row that has no integer value end after finitely many steps; with real variables too, mixed-integer cuts may
+// not.
 inline Search_result cutting_planes(const Linear_master& master, const Solver_options& options,
                                     const std::function<bool()>& go_further)
 {

@@ -96,7 +96,8 @@ private:
     return false;
   }
 
-  // By how much the right-hand side of a row without coefficients may miss zero, or that of one over integers an integer.
+  // By how much the right-hand side of a row without coefficients may miss zero, or that of one over integers an
+  // integer.
   static double tolerance_of(const Row& row) { return row.is_exact ? 0. : row.tolerance; }
 
   void enqueue(int r)

@@ -28,15 +28,21 @@ namespace internal {
 //
 // S may be a Schur complement: what is small against the diagonal before, the reference, is round-off.
 //
-// Let D be the root of the diagonal of S. The eigenvectors N of D^-1 S D^-1 whose eigenvalues are round-off are the flat directions: there
-// the energy is linear. If there are none, the dual active-set method solves a problem at once. Else it solves, one after the other,
-// problems with the additional term delta/2 |N'D (y - y_previous)|^2: the proximal point method (Rockafellar 1976) in these
-// directions only. Where the energy has a minimum it arrives after a few steps, since the constraints that hold it are polyhedral.
+// Let D be the root of the diagonal of S. The eigenvectors N of D^-1 S D^-1 whose eigenvalues are round-off are the
+// flat directions: there the energy is linear. If there are none, the dual active-set method solves a problem at
+// once. Else it solves, one after the other, problems with the additional term delta/2 |N'D (y - y_previous)|^2: the
+// proximal point method (Rockafellar 1976) in these directions only. Where the energy has a minimum it arrives after
+// a few steps, since the constraints that hold it are polyhedral.
 class Convex_quadratic
 {
 public:
-  Convex_quadratic(const Eigen::MatrixXd& S, const Eigen::VectorXd& c, double constant, const Eigen::VectorXd& reference)
-    : m_S(S), m_c(c), m_constant(constant), m_reference(reference), m_scale(scale_of(S, reference))
+  Convex_quadratic(const Eigen::MatrixXd& S, const Eigen::VectorXd& c, double constant,
+                   const Eigen::VectorXd& reference)
+      : m_S(S)
+      , m_c(c)
+      , m_constant(constant)
+      , m_reference(reference)
+      , m_scale(scale_of(S, reference))
   {
     const int n = static_cast<int>(S.rows());
     const double flat_eigenvalue = 1e-11; // relative to one; what a Schur complement leaves of zeros is smaller
@@ -119,8 +125,10 @@ public:
   // The diagonal of the inverse of S, which is definite.
   Eigen::VectorXd inverse_diagonal() const
   {
-    return (m_scale.cwiseInverse().asDiagonal() * m_eigenvectors * m_eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal())
-      .rowwise().squaredNorm();
+    return (m_scale.cwiseInverse().asDiagonal() * m_eigenvectors *
+            m_eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal())
+        .rowwise()
+        .squaredNorm();
   }
 
   // A solution for S x = b, up to the flat directions.
@@ -173,7 +181,8 @@ public:
       if(!result.is_feasible)
         return result;
       const Eigen::VectorXd next = m_eigenvectors.leftCols(m_flat).transpose() * (m_scale.asDiagonal() * result.y);
-      result.is_exact = (next - previous).lpNorm<Eigen::Infinity>() <= converged * (1. + next.lpNorm<Eigen::Infinity>());
+      result.is_exact =
+          (next - previous).lpNorm<Eigen::Infinity>() <= converged * (1. + next.lpNorm<Eigen::Infinity>());
       previous = next;
     }
     result.energy = energy(result.y);
@@ -210,8 +219,8 @@ private:
   double m_center_energy = 0.;
 };
 
-// The best real variables for the integer variables of `y`, which are integers: a problem over the real ones alone. Whether it is feasible
-// does not tell about the constraints without real variables.
+// The best real variables for the integer variables of `y`, which are integers: a problem over the real ones alone.
+// Whether it is feasible does not tell about the constraints without real variables.
 inline Convex_quadratic::Minimum complete_reals(const Bounded_problem& problem, const Convex_quadratic& quadratic,
                                                 const Eigen::VectorXd& y)
 {

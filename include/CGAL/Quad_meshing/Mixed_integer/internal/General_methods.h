@@ -33,9 +33,11 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The general methods for convex problems [Bom12, Ch. 4]: branch-and-bound, branch-and-cut, cutting planes, outer approximation.
+// The general methods for convex problems [Bom12, Ch. 4]: branch-and-bound, branch-and-cut, cutting planes, outer
+// approximation.
 //
-// A problem without a ray along which its energy falls for ever has a minimum; with one it is unbounded if there is a feasible point.
+// A problem without a ray along which its energy falls for ever has a minimum; with one it is unbounded if there is a
+// feasible point.
 class General_methods
 {
   typedef CGAL::Exact_rational Rational;
@@ -75,8 +77,8 @@ public:
   }
 
 private:
-  // Bounds that stand in for missing ones: beyond the numbers of the problem by these powers of two, one after the other as long as the
-  // result depends on them. Small boxes have short numbers, and few corners far away.
+  // Bounds that stand in for missing ones: beyond the numbers of the problem by these powers of two, one after the
+  // other as long as the result depends on them. Small boxes have short numbers, and few corners far away.
   static const std::vector<int>& box_exponents()
   {
     static const std::vector<int> exponents = { 4, 12, 40, 80, 160 };
@@ -197,12 +199,14 @@ private:
     if(!is_reduced)
       return failure(Mixed_integer_status::NUMERICAL_FAILURE,
                      "A factorization failed: the energy is not convex where the constraints hold.");
-    Convex_quadratic quadratic(m_schur.matrix(), m_schur.linear_term(), m_reduced.constant + m_schur.constant(), reference);
+    Convex_quadratic quadratic(m_schur.matrix(), m_schur.linear_term(), m_reduced.constant + m_schur.constant(),
+                               reference);
     if(!quadratic.is_convex())
       return failure(Mixed_integer_status::NUMERICAL_FAILURE,
                      "A factorization failed: the energy is not convex where the constraints hold.");
-    const Flat_directions directions(quadratic.is_definite() ? Eigen::MatrixXd() : quadratic.matrix(),
-                                     Convex_quadratic::scale_of(quadratic.matrix(), reference));
+    const Flat_directions directions = quadratic.is_definite()
+      ? Flat_directions(Eigen::MatrixXd(), Eigen::VectorXd())
+      : Flat_directions(quadratic.matrix(), Convex_quadratic::scale_of(quadratic.matrix(), reference));
     if(has_slope_in_reals() ||
        (quadratic.has_slope() && has_unbounded_ray(m_bounded, quadratic.linear_term(), directions)))
       return look_for_any_point();
@@ -253,8 +257,8 @@ private:
       m_bounded = m_bounded.restricted(m_active);
   }
 
-  // Whether the energy falls along a flat direction of the variables that do not matter to the search: the shift that made their
-  // singular matrix invertible then leaves a residual.
+  // Whether the energy falls along a flat direction of the variables that do not matter to the search: the shift that
+  // made their singular matrix invertible then leaves a residual.
   bool has_slope_in_reals() const
   {
     const double relative_residual = 1e-6;
@@ -306,7 +310,8 @@ private:
     m_solution.nodes = result.nodes;
     m_solution.cuts = result.cuts;
     if(!result.is_found && result.is_complete)
-      return failure(Mixed_integer_status::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
+      return failure(Mixed_integer_status::INFEASIBLE,
+                     "No point meets all constraints, bounds and integer conditions.");
     m_solution.lower_bound = result.lower_bound;
     if(!result.is_found)
       return failure(Mixed_integer_status::LIMIT_REACHED, m_limits.is_out_of_time()

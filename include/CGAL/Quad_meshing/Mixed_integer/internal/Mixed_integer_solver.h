@@ -142,7 +142,8 @@ private:
     const double entries = symbolic.number_of_entries();
     if(entries == 0.)
       return false;
-    // The complement over the integers, its factor and inverse, and the updates; against solutions and products with columns.
+    // The complement over the integers, its factor and inverse, and the updates; against solutions and products with
+    // columns.
     const double dense = m * m * (n - m) + 3. * m * m * m;
     const double naive = m * (4. * entries + columns_at_once * n) + m / columns_at_once * entries * entries / n;
     return naive / sparse_speed < dense / dense_speed;
@@ -243,9 +244,11 @@ private:
     m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound)
                      / (std::fabs(m_solution.energy) + epsilon);
 
-    const std::string complaint = m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
-      ? std::string()
-      : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance).complaint(m_solution.x);
+    const std::string complaint =
+        m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
+            ? std::string()
+            : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+                  .complaint(m_solution.x);
     if(!complaint.empty())
       return fail(Mixed_integer_status::NUMERICAL_FAILURE,
                   "The numbers are too large for the solution to meet " + complaint + " exactly.");
@@ -275,8 +278,8 @@ private:
     return m_solution;
   }
 
-  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the singular matrix
-  // invertible then leaves a residual, and sends the solution far away.
+  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the
+  // singular matrix invertible then leaves a residual, and sends the solution far away.
   bool is_unbounded()
   {
     const double far_away = 1e5, relative_residual = 1e-6;
@@ -325,7 +328,8 @@ private:
       m_solution.all_integers_satisfied = m_solution.all_integers_satisfied && v == rounded;
     }
     if(m_problem.has_inequalities())
-      Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance).settle(m_solution.x);
+      Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+          .settle(m_solution.x);
     m_solution.energy = m_solution.x.dot(0.5 * (m_A * m_solution.x) - m_b) + m_problem.constant();
   }
 

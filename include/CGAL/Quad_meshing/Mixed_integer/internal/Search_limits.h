@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Asks the visitor and the clock whether a search may go on. It can be asked in inner loops: it looks at the clock only, unless some time
-// has passed. Once it says no it stays with it.
+// Asks the visitor and the clock whether a search may go on. It can be asked in inner loops: it looks at the clock
+// only, unless some time has passed. Once it says no it stays with it.
 class Search_limits
 {
 public:

@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A basis of the directions in which y'Sy does not grow, with rational coordinates: one direction per row, each with a one at a
-// coordinate where all others have a zero. Where S holds small fractions up to round-off, so do the directions exactly.
+// A basis of the directions in which y'Sy does not grow, with rational coordinates: one direction per row, each with
+// a one at a coordinate where all others have a zero. Where S holds small fractions up to round-off, so do the
+// directions exactly.
 class Flat_directions
 {
 public:
@@ -94,9 +95,11 @@ private:
   std::vector<int> m_free;
 };
 
-// Whether the linear form -c'y, which is the slope of an energy in its flat directions, falls along a ray of these directions that leaves no
-// constraint and no bound: decided by a linear program in exact arithmetic, over the rays in a cube.
-inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::VectorXd& c, const Flat_directions& directions)
+// Whether the linear form -c'y, which is the slope of an energy in its flat directions, falls along a ray of these
+// directions that leaves no constraint and no bound: decided by a linear program in exact arithmetic, over the rays
+// in a cube.
+inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::VectorXd& c,
+                              const Flat_directions& directions)
 {
   typedef CGAL::Exact_rational Rational;
   // A slope that is smaller, relative to the sizes of c and of the direction, is round-off.
@@ -141,8 +144,9 @@ inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::Vecto
   return program.solve([] { return true; }) && CGAL::is_negative(program.objective());
 }
 
-// Integers that constraints, bounds and energy leave open: those that can be changed by one together with others, along a flat direction
-// without a slope, at no cost. They may as well be zero, all of them; a search would run along such directions for ever.
+// Integers that constraints, bounds and energy leave open: those that can be changed by one together with others,
+// along a flat direction without a slope, at no cost. They may as well be zero, all of them; a search would run along
+// such directions for ever.
 inline std::vector<char> idle_integers(const Bounded_problem& problem, const Eigen::VectorXd& c,
                                        const Flat_directions& directions)
 {
