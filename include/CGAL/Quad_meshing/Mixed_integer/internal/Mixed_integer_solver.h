@@ -22,6 +22,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -201,7 +202,11 @@ private:
     m_z = schur.complete(greedy);
     if(is_unbounded())
       return;
-    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes,
+    // A search divides its nodes between the ways to look for a point: where time is short, those that it will reach.
+    // About what one core visits in a second, the reduction of the basis included.
+    const double nodes_per_second = 3e7;
+    const double nodes = (std::min)(m_options.maximum_number_of_nodes, nodes_per_second * m_limits.seconds_left());
+    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), nodes,
                                    m_options.number_of_bound_rounds, m_go_further);
     const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);

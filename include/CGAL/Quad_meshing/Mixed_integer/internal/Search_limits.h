@@ -49,6 +49,8 @@ public:
   bool is_stopped() const { return m_is_stopped; } // by the visitor
   bool is_out_of_time() const { return m_is_out_of_time; }
 
+  double seconds_left() const { return (std::max)(0., m_maximum_seconds - seconds()); }
+
   double seconds() const
   {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
