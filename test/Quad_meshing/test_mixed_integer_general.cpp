@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The general methods against brute force with an exact solver, where energies are singular, numbers are large, and problems are
-// infeasible or unbounded.
+// The general methods against brute force with an exact solver, where energies are singular, numbers are large, and
+// problems are infeasible or unbounded.
 
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
@@ -162,9 +162,9 @@ Exact_answer brute_force(const Problem& problem, int reach)
 {
   const Exact_answer relaxed = solve_exactly(problem, nullptr);
   Exact_answer best;
+  best.energy = std::numeric_limits<double>::infinity();
   if(!relaxed.is_feasible)
     return best;
-  best.energy = std::numeric_limits<double>::infinity();
   std::vector<int> point(problem.number_of_integers(), -reach);
   for(;;)
   {
@@ -190,8 +190,8 @@ void describe(const Problem& problem)
 {
   std::cerr << "A\n" << Eigen::MatrixXd(problem.matrix()) << "\nb " << problem.linear_term().transpose() << std::endl;
   for(int i = 0; i < problem.number_of_variables(); ++i)
-    std::cerr << (problem.is_integer(i) ? "integer " : "real ") << problem.lower_bound(i) << " to " << problem.upper_bound(i)
-              << std::endl;
+    std::cerr << (problem.is_integer(i) ? "integer " : "real ") << problem.lower_bound(i) << " to "
+              << problem.upper_bound(i) << std::endl;
   for(const std::vector<Problem::Linear_constraint>* constraints :
       { &problem.equality_constraints(), &problem.inequality_constraints() })
     for(const Problem::Linear_constraint& c : *constraints)
@@ -202,22 +202,36 @@ void describe(const Problem& problem)
     }
 }
 
+// Whether a solution and the best of the integers within reach of brute force can both be true.
+bool is_right(const Problem& problem, const Exact_answer& best, const Solution& s)
+{
+  const double reach = 4., at_most = best.energy + 1e-6 * (1. + std::fabs(best.energy));
+  switch(s.status)
+  {
+    case Status::OPTIMAL:
+      if(best.is_unbounded || !is_feasible(problem, s.x) || !is_close(s.energy, problem.energy(s.x)))
+        return false;
+      // Points beyond the reach count if they are feasible and better.
+      return s.energy <= at_most && (is_close(s.energy, best.energy) || s.x.lpNorm<Eigen::Infinity>() > reach);
+    case Status::FEASIBLE:
+    case Status::LIMIT_REACHED: return s.lower_bound <= at_most;
+    case Status::UNBOUNDED: return best.is_unbounded || !best.is_feasible;
+    case Status::INFEASIBLE:
+    case Status::CONFLICTING_CONSTRAINTS: return !best.is_feasible;
+    default: return false;
+  }
+}
+
 void check(const Problem& problem, const Exact_answer& best, Method method, const std::string& name)
 {
-  const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(20000)
-                                                        .maximum_running_time(20.));
-  // Points beyond the reach of brute force count if they are feasible.
-  const bool is_right = s.status == Status::LIMIT_REACHED || s.status == Status::FEASIBLE ? s.lower_bound <= best.energy + 1e-6 * (1. + std::fabs(best.energy))
-    : s.status == Status::OPTIMAL ? is_feasible(problem, s.x) && !best.is_unbounded && s.energy <= best.energy + 1e-6 * (1. + std::fabs(best.energy)) &&
-        (!best.is_feasible || is_close(s.energy, best.energy) || s.x.lpNorm<Eigen::Infinity>() > 4.) && is_close(s.energy, problem.energy(s.x))
-    : s.status == Status::UNBOUNDED ? best.is_unbounded || !best.is_feasible
-    : s.status == Status::INFEASIBLE || s.status == Status::CONFLICTING_CONSTRAINTS ? !best.is_feasible
-    : false;
-  if(is_right)
+  const Solution s = QM::solve_mixed_integer(
+    problem, params::rounding_method(method).maximum_number_of_nodes(20000).maximum_running_time(20.));
+  if(is_right(problem, best, s))
     return;
   describe(problem);
-  std::cerr << name << ", " << QM::rounding_method_name(method) << ": " << QM::status_name(s.status) << " (" << s.message << "), energy "
-            << s.energy << ", bound " << s.lower_bound << " at " << s.x.transpose() << "; brute force says " << (best.is_feasible ? "feasible" : "infeasible")
+  std::cerr << name << ", " << QM::rounding_method_name(method) << ": " << QM::status_name(s.status) << " ("
+            << s.message << "), energy " << s.energy << ", bound " << s.lower_bound << " at " << s.x.transpose()
+            << "; brute force says " << (best.is_feasible ? "feasible" : "infeasible")
             << (best.is_unbounded ? ", unbounded " : " ") << best.energy << std::endl;
   std::abort();
 }
@@ -358,7 +372,8 @@ void large_coefficients()
     }
     for(Method method : { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT })
     {
-      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(3000));
+      const Solution s =
+          QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(3000));
       assert(s.status != Status::NUMERICAL_FAILURE);
       if(s.is_valid())
         assert(is_feasible(problem, s.x));
@@ -392,7 +407,8 @@ Problem random_problem(CGAL::Random& random, bool is_linear)
   for(int i = 0; i < n; ++i)
   {
     const int kind = random.get_int(0, 8);
-    const double low = is_binary && i < integers ? 0. : random.get_int(-9, 2) / 3., high = is_binary && i < integers ? 1. : low + random.get_int(0, 12) / 4.;
+    const double low = is_binary && i < integers ? 0. : random.get_int(-9, 2) / 4.,
+                 high = is_binary && i < integers ? 1. : low + random.get_int(0, 12) / 4.;
     if(kind < 5 || is_binary)
       problem.set_bounds(i, low, high);
     else if(kind == 5)
@@ -431,7 +447,8 @@ void fuzz(bool is_linear, int problems, int seed)
     if(is_linear)
       check(problem, best, Method::CUTTING_PLANES, name);
   }
-  std::cout << "  " << problems << " problems, " << infeasible << " infeasible, " << unbounded << " unbounded" << std::endl;
+  std::cout << "  " << problems << " problems, " << infeasible << " infeasible, " << unbounded << " unbounded"
+            << std::endl;
   assert(infeasible > problems / 50 && unbounded > problems / 50);
 }
 

@@ -43,12 +43,14 @@
 // Mixed-integer problems
 //   rounding_method                 Rounding_method  how integer conditions are met; GREEDY, BRANCH_AND_BOUND
 //                                                 where there are inequalities
+//   elimination_order               Elimination_order  which equality constraint is eliminated next; FEWEST_COEFFICIENTS
 //   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
 //                                                 other; 1e-6
 //   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
 //                                                 variables; 3e-4
 //   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 20000
 //   conjugate_gradient_iterations   int           steps per rounding, 0 switches the level off; 10
+//   allow_refactorization           bool          whether greedy rounding may factorize anew between its roundings; true
 //   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
 //                                                 deviations sum up to less than one half; true
 //   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
@@ -88,10 +90,12 @@
   CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
+  CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order)               \
   CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \
   CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)            \
   CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)\
   CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations, conjugate_gradient_iterations)\
+  CGAL_add_named_parameter(allow_refactorization_t, allow_refactorization, allow_refactorization)   \
   CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding, simultaneous_rounding)   \
   CGAL_add_named_parameter(maximum_dense_integers_t, maximum_dense_integers, maximum_dense_integers)\
   CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds, number_of_bound_rounds)\

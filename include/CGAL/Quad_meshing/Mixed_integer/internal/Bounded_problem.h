@@ -57,14 +57,46 @@ struct Bounded_problem
   bool has_lower(int i) const { return lower[i] > -std::numeric_limits<double>::infinity(); }
   bool has_upper(int i) const { return upper[i] < std::numeric_limits<double>::infinity(); }
 
+  // The problem where all variables but some are zero.
+  Bounded_problem restricted(const std::vector<int>& variables) const
+  {
+    Bounded_problem result;
+    std::vector<int> position(size(), -1);
+    const int n = static_cast<int>(variables.size());
+    result.lower.resize(n);
+    result.upper.resize(n);
+    result.G.resize(G.rows(), n);
+    result.h = h;
+    for(int i = 0; i < n; ++i)
+    {
+      const int v = variables[i];
+      position[v] = i;
+      result.kept.push_back(kept[v]);
+      result.is_integer.push_back(is_integer[v]);
+      result.lower[i] = lower[v];
+      result.upper[i] = upper[v];
+      result.exact_lower.push_back(exact_lower[v]);
+      result.exact_upper.push_back(exact_upper[v]);
+      result.G.col(i) = G.col(v);
+    }
+    for(const Row& row : rows)
+    {
+      result.rows.push_back(Row{ {}, row.rhs, row.is_integral });
+      for(const std::pair<int, Rational>& a : row.form)
+        if(position[a.first] >= 0)
+          result.rows.back().form.emplace_back(position[a.first], a.second);
+    }
+    return result;
+  }
+
   // Whether a constraint has a real variable or coefficient.
   bool has_real_rows() const
   {
     return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.is_integral; });
   }
 
-  // Whether a point whose integer variables are integers meets all constraints and bounds: exactly where they ask for integers, and up
-  // to what the rounding of real numbers explains elsewhere.
+  // Whether a point whose integer variables are integers meets all constraints and bounds: exactly where they ask for
+  // integers, and up to what the rounding of real numbers explains elsewhere.
   bool is_met_by(const Eigen::VectorXd& y) const
   {
     const double round_off = 1e-9; // relative to one and to the numbers that are compared
@@ -91,7 +123,8 @@ struct Bounded_problem
   }
 };
 
-// The inequalities of a problem and bounds that may be tighter than its own. Returns false if a lower bound exceeds an upper one.
+// The inequalities of a problem and bounds that may be tighter than its own. Returns false if a lower bound exceeds
+// an upper one.
 inline bool make_constraints(const Bounded_problem& problem, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                              std::vector<Dual_active_set::Constraint>& constraints)
 {
@@ -193,8 +226,9 @@ private:
     return row.is_integral ? CGAL::is_negative(row.rhs) : CGAL::to_double(row.rhs) < -tolerance;
   }
 
-  // Scales a row over integer variables to integers without a common divisor, and rounds its right-hand side down. Coefficients that
-  // doubles hold only up to round-off, as those of 0.1 x + 0.2 y <= 0.3, are taken for the fractions that they stand for.
+  // Scales a row over integer variables to integers without a common divisor, and rounds its right-hand side down.
+  // Coefficients that doubles hold only up to round-off, as those of 0.1 x + 0.2 y <= 0.3, are taken for the
+  // fractions that they stand for.
   static bool make_integral(Row& row)
   {
     const Rational largest_denominator(1048576.);
@@ -220,7 +254,8 @@ private:
         a.second = Number::nearest_integer(a.second * Rational(f.factor));
       row.rhs = row.rhs * Rational(f.factor);
       const Rational nearest = Number::nearest_integer(row.rhs);
-      if(std::fabs(CGAL::to_double(row.rhs - nearest)) <= round_off * (std::max)(1., std::fabs(CGAL::to_double(nearest))))
+      if(std::fabs(CGAL::to_double(row.rhs - nearest)) <=
+         round_off * (std::max)(1., std::fabs(CGAL::to_double(nearest))))
         row.rhs = nearest;
     }
     Rational divisor(0);

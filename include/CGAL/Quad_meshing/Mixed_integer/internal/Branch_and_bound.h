@@ -40,6 +40,8 @@ struct Search_result
   Eigen::VectorXd y;
   double energy = std::numeric_limits<double>::infinity();
   double lower_bound = -std::numeric_limits<double>::infinity();
+  // like the lower bound, even where it rests on the box
+  double bound_in_box = -std::numeric_limits<double>::infinity();
   double nodes = 0.;
   int cuts = 0;
 
@@ -112,8 +114,8 @@ inline int branching_variable(const Eigen::VectorXd& y, const std::vector<char>&
   return best;
 }
 
-// Branch-and-bound [Bom12, 4.1] for a convex quadratic energy with constraints, by the dual active-set method, whose cost is the bound
-// of a subproblem.
+// Branch-and-bound [Bom12, 4.1] for a convex quadratic energy with constraints, by the dual active-set method, whose
+// cost is the bound of a subproblem.
 class Branch_and_bound
 {
   struct Node
@@ -137,7 +139,8 @@ public:
     , m_pseudo_costs(quadratic.step_costs())
   {}
 
-  // The least energy without integer conditions: infinite if the constraints contradict each other, minus infinity if it is not known.
+  // The least energy without integer conditions: infinite if the constraints contradict each other, minus infinity if
+  // it is not known.
   double relaxed_energy()
   {
     const Convex_quadratic::Minimum minimum = relax(m_problem.lower, m_problem.upper);
@@ -225,9 +228,13 @@ private:
     node->lower = lower;
     node->upper = upper;
     node->depth = parent.depth + 1;
-    node->variable = branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
+    node->variable =
+        branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
     if(node->variable >= 0)
+    {
       node->split = std::floor(node->y[node->variable]);
+      try_rounding(node->y);
+    }
     else if(!fathom(*node))
       return node->energy;
     if(gap_closed(node->energy))
@@ -246,7 +253,8 @@ private:
       if(m_problem.is_integer[i])
       {
         const double below = node->y[i] - std::floor(node->y[i]);
-        node->estimate += (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
+        node->estimate +=
+            (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
       }
     double key = node->energy;
     if(m_options.subproblem_selection == Subproblem_selection::DEPTH_FIRST)
@@ -263,8 +271,22 @@ private:
     m_queue.erase(it);
   }
 
-  // All integers of a node are integers up to round-off: makes them so and solves for the rest once more. Returns whether the node may hold
-  // something better still; it then knows how to be divided.
+  // A node may be close to a feasible point: without one, a search that is stopped has nothing to show.
+  void try_rounding(Eigen::VectorXd y)
+  {
+    const long interval = 64; // once there is a point, so few of the nodes are rounded
+    if(m_result.is_found && static_cast<long>(m_result.nodes) % interval != 1)
+      return;
+    for(int i = 0; i < m_problem.size(); ++i)
+      if(m_problem.is_integer[i])
+        y[i] = std::floor(y[i] + 0.5);
+    const Convex_quadratic::Minimum minimum = complete_reals(m_problem, m_quadratic, y);
+    if(minimum.is_feasible && m_problem.is_met_by(minimum.y))
+      m_result.accept(minimum.y, m_quadratic.energy(minimum.y));
+  }
+
+  // All integers of a node are integers up to round-off: makes them so and solves for the rest once more. Returns
+  // whether the node may hold something better still; it then knows how to be divided.
   bool fathom(Node& node)
   {
     Eigen::VectorXd rounded = node.y;

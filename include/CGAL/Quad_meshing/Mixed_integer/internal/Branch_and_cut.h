@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Branch-and-cut [Bom12, 4.3]: a branch-and-bound method that adds mixed-integer Gomory cuts at a node as long as they raise its bound
-// significantly.
+// Branch-and-cut [Bom12, 4.3]: a branch-and-bound method that adds mixed-integer Gomory cuts at a node as long as
+// they raise its bound significantly.
 //
 // Bounds and cuts come from linear programs in exact rationals. A quadratic objective enters them as tangent planes: at
 // each node the quadratic relaxation is solved first, and the plane that touches the objective at its minimum lifts
@@ -122,6 +122,7 @@ private:
     const double open = m_bounds.empty() ? infinity : *m_bounds.begin();
     m_result.lower_bound = m_is_stopped && m_bounds.empty() ? -infinity
                                                             : (std::min)({ open, m_fathomed_bound, m_result.energy });
+    m_result.bound_in_box = m_result.lower_bound;
     if(m_result.rests_on_box || m_result.is_uncertain)
       m_result.lower_bound = -infinity;
     return m_result;
@@ -131,9 +132,10 @@ private:
   {
     const double epsilon = 1e-10, round_off = 1e-9, absolute_round_off = 1e-12;
     return m_result.is_found &&
-           m_result.energy - bound <= (std::max)(m_options.relative_gap_tolerance, m_master.is_linear() ? 0. : round_off)
-                                      * (std::fabs(m_result.energy) + epsilon)
-                                      + (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
+           m_result.energy - bound <=
+               (std::max)(m_options.relative_gap_tolerance, m_master.is_linear() ? 0. : round_off) *
+                       (std::fabs(m_result.energy) + epsilon) +
+                   (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
   }
 
   int variable_of(const Eigen::VectorXd& y, double tolerance) const
@@ -160,8 +162,8 @@ private:
       m_result.accept(y, m_master.is_linear() ? m_master.energy(y) : node.bound);
   }
 
-  // A point whose integer variables are integers up to round-off, in a quadratic program. Returns whether the node may hold
-  // something better still; it then knows how to be divided.
+  // A point whose integer variables are integers up to round-off, in a quadratic program. Returns whether the node
+  // may hold something better still; it then knows how to be divided.
   bool fathom_quadratic(Node& node, const Eigen::VectorXd& y)
   {
     double farthest = -1.;
@@ -248,7 +250,14 @@ private:
         return node->bound;
       node->variable = variable_of(minimum.y, integer_tolerance);
       if(node->variable >= 0)
+      {
         node->split = Rational(std::floor(minimum.y[node->variable]));
+        // Without a feasible point a search that is stopped has nothing to show.
+        Eigen::VectorXd rounded;
+        double energy;
+        if(!m_result.is_found && m_master.polish(minimum.y, rounded, energy))
+          m_result.accept(rounded, energy);
+      }
       else if(!fathom_quadratic(*node, minimum.y) || is_pruned(node->bound))
         return node->bound;
       if(m_cut_rounds > 0)
@@ -388,7 +397,7 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
     const Search_result linear = search.run(program);
     result.nodes += linear.nodes;
     result.cuts += linear.cuts;
-    result.rests_on_box = result.rests_on_box || linear.rests_on_box;
+    result.rests_on_box = linear.rests_on_box; // earlier bounds are not used
     result.is_uncertain = result.is_uncertain || linear.is_uncertain;
     if(!linear.is_found)
     {
@@ -408,7 +417,7 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
     }
     if(!linear.is_complete || !go_further())
       return result;
-    if(result.is_found && result.energy - linear.lower_bound
+    if(result.is_found && result.energy - (std::max)(result.lower_bound, linear.bound_in_box)
          <= (std::max)(options.relative_gap_tolerance * std::fabs(result.energy),
                        tolerance * (1. + std::fabs(result.energy))))
     {
@@ -423,7 +432,8 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
 }
 
 // The cutting-plane method [Bom12, 4.2] for linear objectives. With integers only, Gomory's fractional cuts from the
-// first row that has no integer value end after finitely many steps; with real variables too, mixed-integer cuts may not.
+// first row that has no integer value end after finitely many steps; with real variables too, mixed-integer cuts may
+// not.
 inline Search_result cutting_planes(const Linear_master& master, const Solver_options& options,
                                     const std::function<bool()>& go_further)
 {

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_CONSTRAINT_ELIMINATION_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_row.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Elimination_number.h>
@@ -50,8 +51,8 @@ class Constraint_elimination
   typedef Elimination_step<NT> Step;
 
 public:
-  Constraint_elimination(const Mixed_integer_problem& problem, double tolerance)
-    : m_size(problem.number_of_variables()), m_tolerance(tolerance), m_is_safe(true)
+  Constraint_elimination(const Mixed_integer_problem& problem, double tolerance, Elimination_order order)
+    : m_size(problem.number_of_variables()), m_tolerance(tolerance), m_order(order), m_is_safe(true)
   {
     for(int i = 0; i < m_size; ++i)
       m_is_integer.push_back(problem.is_integer(i));
@@ -95,22 +96,27 @@ private:
     return false;
   }
 
-  // By how much the right-hand side of a row without coefficients may miss zero, or that of one over integers an integer.
+  // By how much the right-hand side of a row without coefficients may miss zero, or that of one over integers an
+  // integer.
   static double tolerance_of(const Row& row) { return row.is_exact ? 0. : row.tolerance; }
 
   void enqueue(int r)
   {
-    const Row& row = m_rows[r];
-    // Rows that may break integer conditions come last, when others may have emptied them.
-    const int rank = (row.is_integral || has_real_variable(row)) ? 0 : 1;
-    m_queue.insert(std::make_tuple(rank, static_cast<int>(row.entries.size()), r));
+    m_queue.insert(place_of(r));
   }
 
   void dequeue(int r)
   {
+    m_queue.erase(place_of(r));
+  }
+
+  std::tuple<int, int, int> place_of(int r) const
+  {
     const Row& row = m_rows[r];
+    // Rows that may break integer conditions come last, when others may have emptied them.
     const int rank = (row.is_integral || has_real_variable(row)) ? 0 : 1;
-    m_queue.erase(std::make_tuple(rank, static_cast<int>(row.entries.size()), r));
+    const int length = m_order == Elimination_order::AS_GIVEN ? 0 : static_cast<int>(row.entries.size());
+    return std::make_tuple(rank, length, r);
   }
 
   void close(int r)
@@ -342,6 +348,7 @@ private:
 
   int m_size;
   double m_tolerance;
+  Elimination_order m_order;
   bool m_is_safe;
   std::vector<char> m_is_integer;        // originals, then the variables Euclid's algorithm made
   std::vector<Row> m_rows;
@@ -352,19 +359,19 @@ private:
 
 // Eliminates in doubles and, should integers outgrow them or someone need exact numbers, in exact rationals.
 inline Eliminated_constraints eliminate_constraints(const Mixed_integer_problem& problem, double tolerance,
-                                                    bool must_be_exact)
+                                                    Elimination_order order, bool must_be_exact)
 {
   Eliminated_constraints result;
   if(must_be_exact)
   {
-    Constraint_elimination<CGAL::Exact_rational>(problem, tolerance).run(result);
+    Constraint_elimination<CGAL::Exact_rational>(problem, tolerance, order).run(result);
     return result;
   }
-  Constraint_elimination<double> fast(problem, tolerance);
+  Constraint_elimination<double> fast(problem, tolerance, order);
   if(fast.run(result))
     return result;
   result = Eliminated_constraints();
-  Constraint_elimination<CGAL::Exact_rational>(problem, tolerance).run(result);
+  Constraint_elimination<CGAL::Exact_rational>(problem, tolerance, order).run(result);
   return result;
 }
 

@@ -36,8 +36,8 @@ struct Constraint_row
   bool is_exact;      // so is the right-hand side, and that of all rows that came in
   bool is_open;
 
-  // Rows of integers, or of multiples of integers, are scaled to integers without a common divisor. In a row over integer variables
-  // the right-hand side may miss an integer by round-off.
+  // Rows of integers, or of multiples of integers, are scaled to integers without a common divisor. In a row over
+  // integer variables the right-hand side may miss an integer by round-off.
   Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint, double relative_tolerance,
                  const std::vector<char>& is_integer_variable);
 
@@ -133,8 +133,8 @@ inline Mixed_integer_problem::Linear_form collected(Mixed_integer_problem::Linea
 }
 
 template <typename NT>
-Constraint_row<NT>::Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint, double relative_tolerance,
-                                   const std::vector<char>& is_integer_variable)
+Constraint_row<NT>::Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint,
+                                   double relative_tolerance, const std::vector<char>& is_integer_variable)
 {
   const double round_off = 1e-9; // of a right-hand side, relative to one and to its size
   const Mixed_integer_problem::Linear_form form = collected(constraint.form);

@@ -26,25 +26,29 @@ namespace internal {
 
 // E(y) = 1/2 y'Sy - c'y + constant with a positive semidefinite S, and its minimum under linear constraints.
 //
-// Let D be the root of the diagonal of S. The eigenvectors N of D^-1 S D^-1 whose eigenvalues are round-off are the flat directions: there
-// the energy is linear. If there are none, the dual active-set method solves a problem at once. Else it solves, one after the other,
-// problems with the additional term delta/2 |N'D (y - y_previous)|^2: the proximal point method (Rockafellar 1976) in these
-// directions only. Where the energy has a minimum it arrives after a few steps, since the constraints that hold it are polyhedral.
+// S may be a Schur complement: what is small against the diagonal before, the reference, is round-off.
+//
+// Let D be the root of the diagonal of S. The eigenvectors N of D^-1 S D^-1 whose eigenvalues are round-off are the
+// flat directions: there the energy is linear. If there are none, the dual active-set method solves a problem at
+// once. Else it solves, one after the other, problems with the additional term delta/2 |N'D (y - y_previous)|^2: the
+// proximal point method (Rockafellar 1976) in these directions only. Where the energy has a minimum it arrives after
+// a few steps, since the constraints that hold it are polyhedral.
 class Convex_quadratic
 {
 public:
-  Convex_quadratic(const Eigen::MatrixXd& S, const Eigen::VectorXd& c, double constant)
-    : m_S(S), m_c(c), m_constant(constant), m_scale(S.rows())
+  Convex_quadratic(const Eigen::MatrixXd& S, const Eigen::VectorXd& c, double constant,
+                   const Eigen::VectorXd& reference)
+      : m_S(S)
+      , m_c(c)
+      , m_constant(constant)
+      , m_reference(reference)
+      , m_scale(scale_of(S, reference))
   {
     const int n = static_cast<int>(S.rows());
-    // Relative to the largest entry, resp. to one; what a Schur complement leaves of zeros is smaller.
-    const double flat_diagonal = 1e-13, flat_eigenvalue = 1e-11;
+    const double flat_eigenvalue = 1e-11; // relative to one; what a Schur complement leaves of zeros is smaller
     // A linear term that is shorter in the flat directions, relative to its length, is round-off.
     const double flat_slope = 1e-9;
 
-    const double largest = n > 0 ? S.diagonal().cwiseAbs().maxCoeff() : 0.;
-    for(int i = 0; i < n; ++i)
-      m_scale[i] = S(i, i) > flat_diagonal * largest ? std::sqrt(S(i, i)) : (largest > 0. ? std::sqrt(largest) : 1.);
     const Eigen::VectorXd inverse_scale = m_scale.cwiseInverse();
     const Eigen::MatrixXd C = inverse_scale.asDiagonal() * S * inverse_scale.asDiagonal();
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
@@ -67,6 +71,19 @@ public:
     m_center_gradient = m_has_slope ? Eigen::VectorXd(m_S * m_center - m_c) : Eigen::VectorXd::Zero(n);
   }
 
+  // The root of the diagonal, or where it is round-off of the reference.
+  static Eigen::VectorXd scale_of(const Eigen::MatrixXd& S, const Eigen::VectorXd& reference)
+  {
+    const double round_off = 1e-13;
+    const double largest = reference.size() > 0 ? reference.maxCoeff() : 0.;
+    Eigen::VectorXd scale(S.rows());
+    for(int i = 0; i < scale.size(); ++i)
+      scale[i] = S(i, i) > round_off * reference[i] ? std::sqrt(S(i, i))
+                 : reference[i] > 0. ? std::sqrt(reference[i]) : largest > 0. ? std::sqrt(largest) : 1.;
+    return scale;
+  }
+
+  const Eigen::VectorXd& reference() const { return m_reference; }
   int size() const { return static_cast<int>(m_c.size()); }
   const Eigen::MatrixXd& matrix() const { return m_S; }
   const Eigen::VectorXd& linear_term() const { return m_c; }
@@ -108,8 +125,10 @@ public:
   // The diagonal of the inverse of S, which is definite.
   Eigen::VectorXd inverse_diagonal() const
   {
-    return (m_scale.cwiseInverse().asDiagonal() * m_eigenvectors * m_eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal())
-      .rowwise().squaredNorm();
+    return (m_scale.cwiseInverse().asDiagonal() * m_eigenvectors *
+            m_eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal())
+        .rowwise()
+        .squaredNorm();
   }
 
   // A solution for S x = b, up to the flat directions.
@@ -162,7 +181,8 @@ public:
       if(!result.is_feasible)
         return result;
       const Eigen::VectorXd next = m_eigenvectors.leftCols(m_flat).transpose() * (m_scale.asDiagonal() * result.y);
-      result.is_exact = (next - previous).lpNorm<Eigen::Infinity>() <= converged * (1. + next.lpNorm<Eigen::Infinity>());
+      result.is_exact =
+          (next - previous).lpNorm<Eigen::Infinity>() <= converged * (1. + next.lpNorm<Eigen::Infinity>());
       previous = next;
     }
     result.energy = energy(result.y);
@@ -186,6 +206,7 @@ private:
   Eigen::MatrixXd m_S;
   Eigen::VectorXd m_c;
   double m_constant;
+  Eigen::VectorXd m_reference;
   Eigen::VectorXd m_scale;       // D
   Eigen::VectorXd m_eigenvalues; // of D^-1 S D^-1, ascending
   Eigen::MatrixXd m_eigenvectors;
@@ -198,8 +219,8 @@ private:
   double m_center_energy = 0.;
 };
 
-// The best real variables for the integer variables of `y`, which are integers: a problem over the real ones alone. Whether it is feasible
-// does not tell about the constraints without real variables.
+// The best real variables for the integer variables of `y`, which are integers: a problem over the real ones alone.
+// Whether it is feasible does not tell about the constraints without real variables.
 inline Convex_quadratic::Minimum complete_reals(const Bounded_problem& problem, const Convex_quadratic& quadratic,
                                                 const Eigen::VectorXd& y)
 {
@@ -223,12 +244,13 @@ inline Convex_quadratic::Minimum complete_reals(const Bounded_problem& problem, 
   }
   const Eigen::VectorXd slope = quadratic.linear_term() - quadratic.matrix() * result.y;
   Eigen::MatrixXd S(n, n);
-  Eigen::VectorXd c(n);
+  Eigen::VectorXd c(n), reference(n);
   std::vector<Dual_active_set::Constraint> constraints;
   for(int k = 0; k < n; ++k)
   {
     const int i = reals[k];
     c[k] = slope[i];
+    reference[k] = quadratic.reference()[i];
     for(int l = 0; l < n; ++l)
       S(k, l) = quadratic.matrix()(i, reals[l]);
     if(problem.has_lower(i))
@@ -249,7 +271,7 @@ inline Convex_quadratic::Minimum complete_reals(const Bounded_problem& problem, 
     if(!constraint.a.isZero(0.))
       constraints.push_back(constraint);
   }
-  const Convex_quadratic::Minimum of_reals = Convex_quadratic(S, c, 0.).minimize(constraints);
+  const Convex_quadratic::Minimum of_reals = Convex_quadratic(S, c, 0., reference).minimize(constraints);
   result.is_feasible = of_reals.is_feasible;
   result.is_exact = of_reals.is_exact;
   if(result.is_feasible)

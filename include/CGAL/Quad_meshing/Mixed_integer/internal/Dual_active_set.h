@@ -55,7 +55,10 @@ public:
     {
       const int p = most_violated(constraints, is_active, y);
       if(p < 0)
+      {
+        settle(constraints, y);
         return true;
+      }
       if(!activate(constraints, p, is_active, y, cost))
         return false;
     }
@@ -85,6 +88,21 @@ private:
       }
     }
     return worst;
+  }
+
+  // The way from a minimum far away leaves round-off: takes it out of the active constraints.
+  void settle(const std::vector<Constraint>& constraints, Eigen::VectorXd& y) const
+  {
+    const int q = static_cast<int>(m_active.size()), passes = 2;
+    for(int pass = 0; pass < passes && q > 0; ++pass)
+    {
+      Eigen::VectorXd residual(q);
+      for(int k = 0; k < q; ++k)
+        residual[k] = constraints[m_active[k]].b - constraints[m_active[k]].a.dot(y);
+      // N'J = (R' 0) for the active rows N.
+      m_R.topLeftCorner(q, q).transpose().triangularView<Eigen::Lower>().solveInPlace(residual);
+      y += m_J.leftCols(q) * residual;
+    }
   }
 
   bool activate(const std::vector<Constraint>& constraints, int p, std::vector<char>& is_active,

@@ -55,7 +55,8 @@ struct Elimination_step
   NT pivot, rhs;
 };
 
-// Expresses the first `size` variables by the free ones, last step first. Returns false if an integer coefficient outgrew the number type.
+// Expresses the first `size` variables by the free ones, last step first. Returns false if an integer coefficient
+// outgrew the number type.
 template <typename NT>
 bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std::vector<char>& is_integer, int size,
                      Eliminated_constraints& result)

@@ -30,8 +30,9 @@ namespace internal {
 // each row as first + sum_j row_j t_j. The columns of `m_values` stay lexicographically positive: the tableau is
 // dual feasible, and the method finds the lexicographically smallest solution, in finitely many steps.
 //
-// The method starts from bounds of all variables. Those that stand in for missing ones are called artificial, and so are cuts that rest
-// on them: `rests_on_artificial_bounds()` tells whether the last answer would be another one without them.
+// The method starts from bounds of all variables. Those that stand in for missing ones are called artificial, and so
+// are cuts that rest on them: `rests_on_artificial_bounds()` tells whether the last answer would be another one
+// without them.
 class Exact_dual_simplex
 {
 public:
@@ -132,7 +133,8 @@ public:
       if(entering < 0)
       {
         // The row proves that there is no point.
-        m_rests_on_artificial_bounds = m_slacks[leaving].is_artificial || uses_artificial_columns(m_slacks[leaving].row.row);
+        m_rests_on_artificial_bounds =
+            m_slacks[leaving].is_artificial || uses_artificial_columns(m_slacks[leaving].row.row);
         return false;
       }
       pivot(leaving, entering);

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Checks a solution against the constraints and bounds as they were given, in exact arithmetic. Rows of integers over integer
-// variables must hold exactly, all others up to the rounding of real variables.
+// Checks a solution against the constraints and bounds as they were given, in exact arithmetic. Rows of integers over
+// integer variables must hold exactly, all others up to the rounding of real variables.
 class Exact_verification
 {
   typedef CGAL::Exact_rational Rational;
@@ -51,7 +51,8 @@ public:
     }
     const std::vector<Constraint>& equalities = m_problem.equality_constraints();
     for(std::size_t c = 0; c < equalities.size(); ++c)
-      if(!std::binary_search(m_ignored.begin(), m_ignored.end(), static_cast<int>(c)) && !is_met(equalities[c], x, true))
+      if(!std::binary_search(m_ignored.begin(), m_ignored.end(), static_cast<int>(c)) &&
+         !is_met(equalities[c], x, true))
         return "equality constraint " + std::to_string(c);
     const std::vector<Constraint>& inequalities = m_problem.inequality_constraints();
     for(std::size_t c = 0; c < inequalities.size(); ++c)
@@ -129,7 +130,8 @@ private:
         return is_equality ? is_close(sum) : sum <= 0.;
       Rational exact = -Rational(c.rhs) * Rational(f.factor);
       for(const std::pair<int, double>& a : form)
-        exact += Rational(f.is_exact ? a.second * f.factor : std::floor(a.second * f.factor + 0.5)) * Rational(x[a.first]);
+        exact +=
+            Rational(f.is_exact ? a.second * f.factor : std::floor(a.second * f.factor + 0.5)) * Rational(x[a.first]);
       if(is_equality || !f.is_exact)
         return is_close(CGAL::to_double(exact)) || (!is_equality && CGAL::is_negative(exact));
       return !CGAL::is_positive(exact);
@@ -137,7 +139,8 @@ private:
     double largest = (std::max)(1., std::fabs(c.rhs));
     for(const std::pair<int, double>& a : c.form)
       largest = (std::max)(largest, std::fabs(a.second));
-    const double allowed = (std::max)(round_off * (std::max)(1., magnitude(c, x)), is_equality ? m_tolerance * largest : 0.);
+    const double allowed =
+        (std::max)(round_off * (std::max)(1., magnitude(c, x)), is_equality ? m_tolerance * largest : 0.);
     return is_equality ? std::fabs(sum) <= allowed : sum <= allowed;
   }
 

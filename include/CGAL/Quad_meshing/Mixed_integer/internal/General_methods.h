@@ -33,9 +33,11 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The general methods for convex problems [Bom12, Ch. 4]: branch-and-bound, branch-and-cut, cutting planes, outer approximation.
+// The general methods for convex problems [Bom12, Ch. 4]: branch-and-bound, branch-and-cut, cutting planes, outer
+// approximation.
 //
-// A problem without a ray along which its energy falls for ever has a minimum; with one it is unbounded if there is a feasible point.
+// A problem without a ray along which its energy falls for ever has a minimum; with one it is unbounded if there is a
+// feasible point.
 class General_methods
 {
   typedef CGAL::Exact_rational Rational;
@@ -75,8 +77,8 @@ public:
   }
 
 private:
-  // Bounds that stand in for missing ones: beyond the numbers of the problem by these powers of two, one after the other as long as the
-  // result depends on them. Small boxes have short numbers, and few corners far away.
+  // Bounds that stand in for missing ones: beyond the numbers of the problem by these powers of two, one after the
+  // other as long as the result depends on them. Small boxes have short numbers, and few corners far away.
   static const std::vector<int>& box_exponents()
   {
     static const std::vector<int> exponents = { 4, 12, 40, 80, 160 };
@@ -138,14 +140,16 @@ private:
       is_kept[v] = 1;
     for(int v = 0; v < m_reduced.size(); ++v)
       is_unbounded = is_unbounded || (!is_kept[v] && m_reduced.b[v] != 0.);
-    const Flat_directions directions(Eigen::MatrixXd::Zero(m_bounded.size(), m_bounded.size()));
+    const int size = m_bounded.size();
+    const Flat_directions directions(Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Ones(size));
     if(is_unbounded || has_unbounded_ray(m_bounded, -c, directions))
       return look_for_any_point();
-    fix_idle_integers(m_bounded, c, directions);
+    remove_idle_integers(c, directions);
+    const Eigen::VectorXd active_c = subvector(c, m_active);
 
     const Search_result result = run_in_boxes([&](const Rational& box)
     {
-      const Linear_master master(m_bounded, c, m_reduced.constant, box);
+      const Linear_master master(m_bounded, active_c, m_reduced.constant, box);
       Exact_dual_simplex relaxation = master.make_program();
       if(relaxation.solve(m_go_further) && !relaxation.rests_on_artificial_bounds())
         m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
@@ -191,33 +195,70 @@ private:
       is_kept[v] = true;
     const bool is_reduced = m_schur.reduce(m_reduced.A, m_reduced.b, is_kept);
     m_solution.factorizations += m_schur.number_of_factorizations();
-    Convex_quadratic quadratic(m_schur.matrix(), m_schur.linear_term(), m_reduced.constant + m_schur.constant());
-    if(!is_reduced || !quadratic.is_convex())
+    const Eigen::VectorXd reference = subvector(m_reduced.A.diagonal(), m_bounded.kept);
+    if(!is_reduced)
       return failure(Mixed_integer_status::NUMERICAL_FAILURE,
                      "A factorization failed: the energy is not convex where the constraints hold.");
-    const Flat_directions directions(quadratic.is_definite() ? Eigen::MatrixXd() : quadratic.matrix());
+    Convex_quadratic quadratic(m_schur.matrix(), m_schur.linear_term(), m_reduced.constant + m_schur.constant(),
+                               reference);
+    if(!quadratic.is_convex())
+      return failure(Mixed_integer_status::NUMERICAL_FAILURE,
+                     "A factorization failed: the energy is not convex where the constraints hold.");
+    const Flat_directions directions = quadratic.is_definite()
+      ? Flat_directions(Eigen::MatrixXd(), Eigen::VectorXd())
+      : Flat_directions(quadratic.matrix(), Convex_quadratic::scale_of(quadratic.matrix(), reference));
     if(has_slope_in_reals() ||
        (quadratic.has_slope() && has_unbounded_ray(m_bounded, quadratic.linear_term(), directions)))
       return look_for_any_point();
-    fix_idle_integers(m_bounded, quadratic.linear_term(), directions);
+    const int size = m_bounded.size();
+    remove_idle_integers(quadratic.linear_term(), directions);
 
     Outcome outcome;
     if(m_bounded.size() == 0)
     {
       outcome.is_found = true;
-      outcome.z = m_schur.complete(Eigen::VectorXd(0));
+      outcome.z = m_schur.complete(Eigen::VectorXd::Zero(size));
       m_solution.relaxed_energy = m_solution.lower_bound = m_reduced.energy(outcome.z);
       return outcome;
     }
-    const Search_result result = search(quadratic);
+    Search_result result;
+    if(m_bounded.size() == size)
+      result = search(quadratic);
+    else
+    {
+      Eigen::MatrixXd S(m_active.size(), m_active.size());
+      for(std::size_t i = 0; i < m_active.size(); ++i)
+        for(std::size_t j = 0; j < m_active.size(); ++j)
+          S(i, j) = quadratic.matrix()(m_active[i], m_active[j]);
+      Convex_quadratic active(S, subvector(quadratic.linear_term(), m_active), quadratic.constant(),
+                              subvector(reference, m_active));
+      result = search(active);
+    }
     outcome = outcome_of(result);
     if(outcome.is_found)
-      outcome.z = m_schur.complete(result.y);
+    {
+      Eigen::VectorXd y = Eigen::VectorXd::Zero(size);
+      for(std::size_t i = 0; i < m_active.size(); ++i)
+        y[m_active[i]] = result.y[i];
+      outcome.z = m_schur.complete(y);
+    }
     return outcome;
   }
 
-  // Whether the energy falls along a flat direction of the variables that do not matter to the search: the shift that made their
-  // singular matrix invertible then leaves a residual.
+  // Sets the integers that need not move to zero; the others are `m_active`.
+  void remove_idle_integers(const Eigen::VectorXd& c, const Flat_directions& directions)
+  {
+    const std::vector<char> is_idle = idle_integers(m_bounded, c, directions);
+    m_active.clear();
+    for(int i = 0; i < m_bounded.size(); ++i)
+      if(!is_idle[i])
+        m_active.push_back(i);
+    if(static_cast<int>(m_active.size()) < m_bounded.size())
+      m_bounded = m_bounded.restricted(m_active);
+  }
+
+  // Whether the energy falls along a flat direction of the variables that do not matter to the search: the shift that
+  // made their singular matrix invertible then leaves a residual.
   bool has_slope_in_reals() const
   {
     const double relative_residual = 1e-6;
@@ -269,7 +310,8 @@ private:
     m_solution.nodes = result.nodes;
     m_solution.cuts = result.cuts;
     if(!result.is_found && result.is_complete)
-      return failure(Mixed_integer_status::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
+      return failure(Mixed_integer_status::INFEASIBLE,
+                     "No point meets all constraints, bounds and integer conditions.");
     m_solution.lower_bound = result.lower_bound;
     if(!result.is_found)
       return failure(Mixed_integer_status::LIMIT_REACHED, m_limits.is_out_of_time()
@@ -288,6 +330,7 @@ private:
   Mixed_integer_solution& m_solution;
   const std::function<bool()> m_go_further;
   Bounded_problem m_bounded;
+  std::vector<int> m_active; // of the variables that the bounded problem had first, those that it still has
   Integer_energy m_schur;
 };
 

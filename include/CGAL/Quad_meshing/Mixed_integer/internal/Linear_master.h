@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A convex objective over the variables of a `Bounded_problem`, given to linear programs as tangent planes ([Bom12, 4.2], extension to
-// nonlinear problems): either linear, c'y + constant, or quadratic. In linear programs a quadratic objective is one more variable, eta,
-// after those of the problem, that lies above all tangent planes.
+// A convex objective over the variables of a `Bounded_problem`, given to linear programs as tangent planes ([Bom12,
+// 4.2], extension to nonlinear problems): either linear, c'y + constant, or quadratic. In linear programs a quadratic
+// objective is one more variable, eta, after those of the problem, that lies above all tangent planes.
 class Linear_master
 {
 public:
@@ -38,14 +38,16 @@ public:
     : m_problem(problem), m_linear(c), m_constant(constant), m_box(box)
   {}
 
-  // A quadratic objective. `radius` bounds the energy over its minimum of the points that matter, `least_energy` is a lower bound.
-  Linear_master(const Bounded_problem& problem, Convex_quadratic& quadratic, double radius, double least_energy, const Rational& box)
-    : m_problem(problem)
-    , m_quadratic(&quadratic)
-    , m_constant(quadratic.constant())
-    , m_radius(radius)
-    , m_least_energy(least_energy)
-    , m_box(box)
+  // A quadratic objective. `radius` bounds the energy over its minimum of the points that matter, `least_energy` is a
+  // lower bound.
+  Linear_master(const Bounded_problem& problem, Convex_quadratic& quadratic, double radius, double least_energy,
+                const Rational& box)
+      : m_problem(problem)
+      , m_quadratic(&quadratic)
+      , m_constant(quadratic.constant())
+      , m_radius(radius)
+      , m_least_energy(least_energy)
+      , m_box(box)
   {}
 
   bool is_linear() const { return m_quadratic == nullptr; }
@@ -114,7 +116,8 @@ public:
     {
       objective.push_back(Rational(1));
       const bool is_bounded = m_least_energy > -std::numeric_limits<double>::infinity();
-      lower.push_back(is_bounded ? Bound{ Rational(std::floor(m_least_energy) - 1.), false } : Bound{ -m_box * m_box, true });
+      lower.push_back(is_bounded ? Bound{Rational(std::floor(m_least_energy) - 1.), false}
+                                 : Bound{-m_box * m_box, true});
       upper.push_back(Bound{ lower.back().value + m_box * m_box, true });
       is_integer.push_back(0);
     }
@@ -129,8 +132,8 @@ public:
     return program;
   }
 
-  // The plane that touches the energy near `y`. It never cuts a point off: its numbers are those of a point rounded for short rationals,
-  // or its slope is rounded and its height is rounded down.
+  // The plane that touches the energy near `y`. It never cuts a point off: its numbers are those of a point rounded
+  // for short rationals, or its slope is rounded and its height is rounded down.
   void tangent(const Eigen::VectorXd& y, std::vector<Rational>& a, Rational& b) const
   {
     const double grid = 1. / 65536.; // 2^-16, of a coordinate or of the largest slope
@@ -145,7 +148,8 @@ public:
       slope = (slope / (grid * scale)).array().round() * (grid * scale);
       const double base = m_quadratic->energy(m_quadratic->target());
       const double height = base - 0.5 * slope.dot(m_quadratic->solve(slope)) - slope.dot(m_quadratic->target());
-      const double round_off = relative_round_off * (m_quadratic->magnitude() + std::fabs(slope.dot(m_quadratic->target())));
+      const double round_off =
+          relative_round_off * (m_quadratic->magnitude() + std::fabs(slope.dot(m_quadratic->target())));
       // eta >= height + slope'y, as slope'y - eta <= -height
       for(int i = 0; i < slope.size(); ++i)
         a.push_back(Rational(slope[i]));

@@ -22,6 +22,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -57,11 +58,12 @@ public:
       return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
 
-    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance,
+    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance, m_options.elimination_order,
                                           m_options.method >= Rounding_method::BRANCH_AND_BOUND);
     m_solution.redundant_constraints = m_constraints.redundant;
     m_solution.conflicting_constraints = m_constraints.conflicting;
     m_reduced = reduce(m_A, m_b, m_problem.constant(), m_constraints);
+    m_solution.matrix_entries = static_cast<double>(m_reduced.A.nonZeros());
     m_solution.free_variables = m_reduced.size();
     m_solution.free_integers = static_cast<int>(m_reduced.integers.size());
 
@@ -126,8 +128,35 @@ private:
     return static_cast<int>(m_reduced.integers.size()) <= m_options.maximum_dense_integers;
   }
 
+  // Whether naive rounding, which gives the same result as dense updates, is expected to take less time than these.
+  bool is_naive_cheaper() const
+  {
+    const double few_integers = 200.; // dense updates of so many take milliseconds
+    // Operations per second of dense and of sparse code, their ratio is what counts: measured with fields and maps.
+    const double dense_speed = 3., sparse_speed = 1.;
+    const double columns_at_once = 64.; // of `Three_level_solver::fix_exactly()`, half of them on average
+    const double m = static_cast<double>(m_reduced.integers.size()), n = m_reduced.size();
+    if(m <= few_integers)
+      return false;
+    Sparse_cholesky<double> symbolic = m_linear_solver.make_another();
+    symbolic.analyze(m_reduced.A);
+    const double entries = symbolic.number_of_entries();
+    if(entries == 0.)
+      return false;
+    // The complement over the integers, its factor and inverse, and the updates; against solutions and products with
+    // columns.
+    const double dense = m * m * (n - m) + 3. * m * m * m;
+    const double naive = m * (4. * entries + columns_at_once * n) + m / columns_at_once * entries * entries / n;
+    return naive / sparse_speed < dense / dense_speed;
+  }
+
   void run_greedy()
   {
+    if(has_few_integers() && is_naive_cheaper())
+    {
+      m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits);
+      return;
+    }
     if(!has_few_integers())
     {
       m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options, m_limits);
@@ -173,7 +202,11 @@ private:
     m_z = schur.complete(greedy);
     if(is_unbounded())
       return;
-    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes,
+    // A search divides its nodes between the ways to look for a point: where time is short, those that it will reach.
+    // About what one core visits in a second, the reduction of the basis included.
+    const double nodes_per_second = 3e7;
+    const double nodes = (std::min)(m_options.maximum_number_of_nodes, nodes_per_second * m_limits.seconds_left());
+    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), nodes,
                                    m_options.number_of_bound_rounds, m_go_further);
     const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);
@@ -216,9 +249,11 @@ private:
     m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound)
                      / (std::fabs(m_solution.energy) + epsilon);
 
-    const std::string complaint = m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
-      ? std::string()
-      : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance).complaint(m_solution.x);
+    const std::string complaint =
+        m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
+            ? std::string()
+            : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+                  .complaint(m_solution.x);
     if(!complaint.empty())
       return fail(Mixed_integer_status::NUMERICAL_FAILURE,
                   "The numbers are too large for the solution to meet " + complaint + " exactly.");
@@ -248,8 +283,8 @@ private:
     return m_solution;
   }
 
-  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the singular matrix
-  // invertible then leaves a residual, and sends the solution far away.
+  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the
+  // singular matrix invertible then leaves a residual, and sends the solution far away.
   bool is_unbounded()
   {
     const double far_away = 1e5, relative_residual = 1e-6;
@@ -298,7 +333,8 @@ private:
       m_solution.all_integers_satisfied = m_solution.all_integers_satisfied && v == rounded;
     }
     if(m_problem.has_inequalities())
-      Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance).settle(m_solution.x);
+      Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+          .settle(m_solution.x);
     m_solution.energy = m_solution.x.dot(0.5 * (m_A * m_solution.x) - m_b) + m_problem.constant();
   }
 

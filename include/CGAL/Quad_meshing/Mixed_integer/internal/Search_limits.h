@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Asks the visitor and the clock whether a search may go on. It can be asked in inner loops: it looks at the clock only, unless some time
-// has passed. Once it says no it stays with it.
+// Asks the visitor and the clock whether a search may go on. It can be asked in inner loops: it looks at the clock
+// only, unless some time has passed. Once it says no it stays with it.
 class Search_limits
 {
 public:
@@ -48,6 +48,8 @@ public:
 
   bool is_stopped() const { return m_is_stopped; } // by the visitor
   bool is_out_of_time() const { return m_is_out_of_time; }
+
+  double seconds_left() const { return (std::max)(0., m_maximum_seconds - seconds()); }
 
   double seconds() const
   {

@@ -21,10 +21,12 @@ namespace internal {
 struct Solver_options
 {
   Rounding_method method = Rounding_method::GREEDY;
+  Elimination_order elimination_order = Elimination_order::FEWEST_COEFFICIENTS;
   double constraint_tolerance = 1e-6;
   double rounding_tolerance = 3e-4;
   int gauss_seidel_iterations = 20000;
   int conjugate_gradient_iterations = 10;
+  bool allow_refactorization = true;
   bool simultaneous_rounding = true;
   int maximum_dense_integers = 1000;
   double maximum_running_time = std::numeric_limits<double>::infinity();

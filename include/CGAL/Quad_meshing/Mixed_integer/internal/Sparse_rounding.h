@@ -25,8 +25,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // Direct rounding (thesis 5.2.1): two systems.
-inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, Eigen::VectorXd& z,
-                            Mixed_integer_solution& solution)
+inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
+                            Eigen::VectorXd& z, Mixed_integer_solution& solution)
 {
   Three_level_solver solver(linear_solver, problem.A, problem.b, 0., 0, 0);
   if(!solver.initialize(solution.factorizations))
@@ -40,9 +40,10 @@ inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const 
   return true;
 }
 
-// Greedy rounding, one integer after the other, with the exact solution in between. When time is over the rest is rounded at once.
-inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, Eigen::VectorXd& z,
-                           Mixed_integer_solution& solution, Search_limits& limits)
+// Greedy rounding, one integer after the other, with the exact solution in between. When time is over the rest is
+// rounded at once.
+inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
+                           Eigen::VectorXd& z, Mixed_integer_solution& solution, Search_limits& limits)
 {
   const double tie = 1e-7;
   Three_level_solver solver(linear_solver, problem.A, problem.b, 0., 0, 0);
@@ -81,7 +82,8 @@ inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const R
 // set of variables still round to the same integers after all of them but one were rounded as long as the
 // deviations sum up to less than one half.
 inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
-                                   Eigen::VectorXd& z, Mixed_integer_solution& solution, const Solver_options& options, Search_limits& limits)
+                                   Eigen::VectorXd& z, Mixed_integer_solution& solution, const Solver_options& options,
+                                   Search_limits& limits)
 {
   typedef Condensed_solver Solver;
   typedef Three_level_solver Levels;
@@ -136,13 +138,13 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
     since_refresh += batch;
 
     Solver::Level level;
-    if(since_refresh >= refresh_interval && rounded < m)
+    if(options.allow_refactorization && since_refresh >= refresh_interval && rounded < m)
     {
       level = solver.factorize(solution.factorizations) ? Levels::FACTORIZATION : Levels::FAILED;
       since_refresh = 0;
     }
     else
-      level = solver.update(solution.factorizations);
+      level = solver.update(solution.factorizations, options.allow_refactorization);
     switch(level)
     {
       case Levels::GAUSS_SEIDEL: ++solution.gauss_seidel_roundings; break;

@@ -23,21 +23,19 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A basis of the directions in which y'Sy does not grow, with rational coordinates: one direction per row, each with a one at a
-// coordinate where all others have a zero. Where S holds small fractions up to round-off, so do the directions exactly.
+// A basis of the directions in which y'Sy does not grow, with rational coordinates: one direction per row, each with
+// a one at a coordinate where all others have a zero. Where S holds small fractions up to round-off, so do the
+// directions exactly.
 class Flat_directions
 {
 public:
   typedef CGAL::Exact_rational Rational;
 
-  explicit Flat_directions(const Eigen::MatrixXd& S)
+  // `scale` is the root of the diagonal, and of what it was before it became round-off.
+  Flat_directions(const Eigen::MatrixXd& S, const Eigen::VectorXd& scale)
   {
     const int n = static_cast<int>(S.rows());
     const double flat = 1e-11; // pivots, relative to the diagonal
-    const double largest = n > 0 ? S.diagonal().cwiseAbs().maxCoeff() : 0.;
-    Eigen::VectorXd scale(n);
-    for(int i = 0; i < n; ++i)
-      scale[i] = S(i, i) > flat * 1e-2 * largest ? std::sqrt(S(i, i)) : (largest > 0. ? std::sqrt(largest) : 1.);
     // Gauss-Jordan elimination with the largest pivots: [I F; 0 0].
     Eigen::MatrixXd C = scale.cwiseInverse().asDiagonal() * S * scale.cwiseInverse().asDiagonal();
     std::vector<char> is_pivot(n, 0);
@@ -97,9 +95,11 @@ private:
   std::vector<int> m_free;
 };
 
-// Whether the linear form -c'y, which is the slope of an energy in its flat directions, falls along a ray of these directions that leaves no
-// constraint and no bound: decided by a linear program in exact arithmetic, over the rays in a cube.
-inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::VectorXd& c, const Flat_directions& directions)
+// Whether the linear form -c'y, which is the slope of an energy in its flat directions, falls along a ray of these
+// directions that leaves no constraint and no bound: decided by a linear program in exact arithmetic, over the rays
+// in a cube.
+inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::VectorXd& c,
+                              const Flat_directions& directions)
 {
   typedef CGAL::Exact_rational Rational;
   // A slope that is smaller, relative to the sizes of c and of the direction, is round-off.
@@ -144,12 +144,15 @@ inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::Vecto
   return program.solve([] { return true; }) && CGAL::is_negative(program.objective());
 }
 
-// Sets integers to zero that constraints, bounds and energy leave open: those that can be changed by one together with others, along a flat
-// direction without a slope, at no cost. A search would run along such directions for ever.
-inline void fix_idle_integers(Bounded_problem& problem, const Eigen::VectorXd& c, const Flat_directions& directions)
+// Integers that constraints, bounds and energy leave open: those that can be changed by one together with others,
+// along a flat direction without a slope, at no cost. They may as well be zero, all of them; a search would run along
+// such directions for ever.
+inline std::vector<char> idle_integers(const Bounded_problem& problem, const Eigen::VectorXd& c,
+                                       const Flat_directions& directions)
 {
   typedef CGAL::Exact_rational Rational;
   const double round_off = 1e-9;
+  std::vector<char> result(problem.size(), 0);
   for(int d = 0; d < directions.size(); ++d)
   {
     const std::vector<Rational>& r = directions[d];
@@ -171,13 +174,9 @@ inline void fix_idle_integers(Bounded_problem& problem, const Eigen::VectorXd& c
         sum += a.second * r[a.first];
       is_idle = is_idle && CGAL::is_zero(sum);
     }
-    if(is_idle)
-    {
-      const int i = directions.free_coordinate(d);
-      problem.lower[i] = problem.upper[i] = 0.;
-      problem.exact_lower[i] = problem.exact_upper[i] = Rational(0);
-    }
+    result[directions.free_coordinate(d)] = is_idle;
   }
+  return result;
 }
 
 } // namespace internal
