@@ -273,17 +273,19 @@ private:
       join_sides(a, b);
   }
 
-  // The straightest pair first. Where the file orients its faces consistently, pairs that agree with that come before
-  // those that would turn a part of the surface.
+  // The straightest pair first. Before that, pairs of faces that are both there in one direction, or both in two: a sheet with
+  // two sides that stands off a solid does not open it. Where the file orients its faces consistently, pairs that agree with
+  // that come before those that would turn a part of the surface.
   void pair_other_fans()
   {
     struct Pair
     {
-      bool turns;
+      bool is_mixed, turns;
       double bend;
       Soup_index a, b;
     };
     const bool is_reliable = std::find(m_is_turned.begin(), m_is_turned.end(), char(1)) == m_is_turned.end();
+    auto has_two_sides = [&](const Sheet& sheet) { return m_triangles.other_side_of(sheet.side / 3) != no_index; };
     std::vector<Pair> pairs;
     for(const Fan& fan : m_fans)
     {
@@ -292,12 +294,14 @@ private:
       for(std::size_t i = 0; i < sheets.size(); ++i)
         for(std::size_t j = i + 1; j < sheets.size(); ++j)
           if(m_partner[sheets[i].side] == no_index && m_partner[sheets[j].side] == no_index)
-            pairs.push_back({ is_reliable && sheets[i].upwards == sheets[j].upwards,
+            pairs.push_back({ has_two_sides(sheets[i]) != has_two_sides(sheets[j]), is_reliable && sheets[i].upwards == sheets[j].upwards,
                               std::abs(std::abs(sheets[i].angle - sheets[j].angle) - CGAL_PI),
                               (std::min)(sheets[i].side, sheets[j].side), (std::max)(sheets[i].side, sheets[j].side) });
       std::sort(pairs.begin(), pairs.end(),
                 [](const Pair& s, const Pair& t)
-                { return std::tie(s.turns, s.bend, s.a, s.b) < std::tie(t.turns, t.bend, t.a, t.b); });
+                {
+                  return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) < std::tie(t.is_mixed, t.turns, t.bend, t.a, t.b);
+                });
       for(const Pair& pair : pairs)
         join_if_orientable(pair.a, pair.b);
     }
