@@ -1041,6 +1041,10 @@ void test_soup()
   std::vector<std::vector<std::size_t> > polygons;
   assert(CGAL::Quad_meshing::read_polygon_soup("soup.off", points, polygons));
   assert(points.size() == 4 && polygons.size() == 3 && polygons[2] == std::vector<std::size_t>({ 0, 1, 1, 2 }));
+  std::vector<std::array<double, 3> > coordinates;
+  std::vector<std::vector<std::size_t> > same_polygons;
+  assert(CGAL::Quad_meshing::read_polygon_soup("soup.off", coordinates, same_polygons) && same_polygons == polygons);
+  assert(coordinates.size() == 4 && coordinates[3][2] == 5);
   write_text("index_3.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
   assert(CGAL::Quad_meshing::read_polygon_soup("index_3.off", points, polygons).status == Status::INVALID_INDEX);
   assert(points.size() == 4 && polygons.size() == 3);

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
 #include <CGAL/Quad_meshing/IO/internal/read_soup_file.h>
+#include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 
 #include <array>
 #include <cstddef>
@@ -19,6 +20,16 @@
 
 namespace CGAL {
 namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingIORef
+ *
+ * \brief reads points and polygons from a file, as the function template of this name does. It is compiled once with the
+ * package.
+ */
+CGAL_QUAD_MESHING_INLINE Mesh_reading_result
+read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3> >& points,
+                  std::vector<std::vector<std::size_t> >& polygons);
 
 /*!
  * \ingroup PkgQuadMeshingIORef
@@ -69,5 +80,9 @@ read_polygon_soup(const std::string& filename,
 
 } // namespace Quad_meshing
 } // namespace CGAL
+
+#ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
+#include <CGAL/Quad_meshing/IO/internal/read_polygon_soup_impl.h>
+#endif
 
 #endif // CGAL_QUAD_MESHING_IO_READ_POLYGON_SOUP_H
