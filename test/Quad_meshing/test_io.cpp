@@ -79,7 +79,10 @@ std::string off_text(const Soup& soup, const std::vector<std::vector<std::size_t
 void check_result(const Result& result, const Mesh& tm)
 {
   auto is_sentence = [](const std::string& text)
-  { return !text.empty() && text.back() == '.' && !('a' <= text[0] && text[0] <= 'z') && text.find('\n') == std::string::npos; };
+  {
+    return !text.empty() && text.back() == '.' && !('a' <= text[0] && text[0] <= 'z') &&
+           text.find('\n') == std::string::npos;
+  };
   assert(result.is_valid() == result.message.empty());
   if(!result)
   {
@@ -155,7 +158,8 @@ void test_formats()
   const Mesh tm = test_meshes::make_mesh(soup);
   const auto np = CGAL::parameters::stream_precision(17);
   const auto text_np = CGAL::parameters::stream_precision(17).use_binary_mode(false);
-  for(const std::string filename : { "torus.off", "torus.OBJ", "torus.ply", "torus_text.ply", "torus.stl", "torus_text.stl" })
+  for(const std::string filename :
+      {"torus.off", "torus.OBJ", "torus.ply", "torus_text.ply", "torus.stl", "torus_text.stl"})
   {
     std::ofstream out(filename, std::ios::binary);
     const bool as_text = filename.find("text") != std::string::npos;
@@ -207,13 +211,17 @@ void test_formats()
   std::cout << "text in unusual shapes" << std::endl;
   Mesh t;
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
-  assert(read_text("a.off", "# comment\nOFF # more\n\n3 1 0\r\n0 0 0 1 1 # first\r\n+1 0 0 0.5 0.5\r\n0 1e0 -0 0 1\r\n3 0 1 2 255 0 0\r\n", t));
+  assert(read_text(
+      "a.off",
+      "# comment\nOFF # more\n\n3 1 0\r\n0 0 0 1 1 # first\r\n+1 0 0 0.5 0.5\r\n0 1e0 -0 0 1\r\n3 0 1 2 255 0 0\r\n",
+      t));
   assert(t.number_of_faces() == 1 && t.point(Mesh::Vertex_index(1)) == Point_3(1, 0, 0));
   assert(read_text("b.off", "OFF 3 1 0\n" + points + "3 0 1 2", t) && t.number_of_faces() == 1);
   assert(read_text("c.off", "COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n", t));
   assert(read_text("d.off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 2\n0 1 0 2\n3 0 1 2\n", t));
   assert(t.point(Mesh::Vertex_index(1)) == Point_3(0.5, 0, 0));
-  assert(read_text("e.obj", "mtllib x\no thing\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n 3/1\n", t));
+  assert(read_text("e.obj",
+                   "mtllib x\no thing\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n 3/1\n", t));
   assert(t.number_of_faces() == 1);
   assert(read_text("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 1 1 0\nf 2 4 3", t));
   assert(t.number_of_faces() == 2 && t.number_of_edges() == 5);
@@ -244,18 +252,23 @@ void test_refused()
   check_refused("cloud.obj", "v 0 0 0\nv 1 0 0\n", Status::NO_FACES, "no faces");
   check_refused("points.off", "OFF\n4 1 0\n" + square + "3 0 1 1\n", Status::NO_FACES, "distinct");
   check_refused("more_faces.off", "OFF\n4 1 0\n" + square + "3 0 1 2\n3 0 2 3\n", Status::MALFORMED_FILE, "Line 8");
-  check_refused("joined_lines.off", "OFF\n4 1 0\n0 0 0\n1 0 0 1 1 0\n0 1 0\n4 0 1 2 3\n", Status::MALFORMED_FILE, "Line 4");
+  check_refused("joined_lines.off", "OFF\n4 1 0\n0 0 0\n1 0 0 1 1 0\n0 1 0\n4 0 1 2 3\n", Status::MALFORMED_FILE,
+                "Line 4");
   check_refused("damaged.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nq 1 2 3\n", Status::MALFORMED_FILE, "Line 5");
-  check_refused("free_form.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nsurf 0 1 0 1 1\n", Status::MALFORMED_FILE, "free-form");
+  check_refused("free_form.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nsurf 0 1 0 1 1\n", Status::MALFORMED_FILE,
+                "free-form");
   check_refused("utf16.obj", std::string("\xFF\xFEv\0 \0", 6), Status::MALFORMED_FILE, "UTF-16");
   check_refused("nOFF.off", "nOFF\n4\n1 0 0\n0 0 0 0\n", Status::MALFORMED_FILE, "dimension");
   check_refused("line.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", Status::NO_FACES, "area");
-  check_refused("index.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 4\n", Status::INVALID_INDEX, "face 1 names vertex 4");
+  check_refused("index.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 4\n", Status::INVALID_INDEX,
+                "face 1 names vertex 4");
   check_refused("negative_index.off", "OFF\n4 1 0\n" + square + "3 0 1 -2\n", Status::INVALID_INDEX, "face 0");
-  check_refused("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", Status::INVALID_INDEX, "Line 4: face 0 names vertex 3");
+  check_refused("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", Status::INVALID_INDEX,
+                "Line 4: face 0 names vertex 3");
   check_refused("zero_index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", Status::INVALID_INDEX, "face 0");
   check_refused("far_index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n", Status::INVALID_INDEX, "face 0");
-  check_refused("nan.off", "OFF\n4 1 0\n0 0 0\n1 0 0\nnan 1 0\n0 1 0\n4 0 1 2 3\n", Status::INVALID_COORDINATE, "vertex 2");
+  check_refused("nan.off", "OFF\n4 1 0\n0 0 0\n1 0 0\nnan 1 0\n0 1 0\n4 0 1 2 3\n", Status::INVALID_COORDINATE,
+                "vertex 2");
   check_refused("inf.obj", "v 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n", Status::INVALID_COORDINATE, "vertex 2");
   check_refused("overflow.obj", "v 0 0 0\nv 1e999 0 0\nv 0 1 0\nf 1 2 3\n", Status::INVALID_COORDINATE, "vertex 1");
   check_refused("large.obj", "v 0 0 0\nv 1e200 0 0\nv 0 1 0\nf 1 2 3\n", Status::INVALID_COORDINATE, "large");
@@ -291,7 +304,8 @@ void test_repaired()
   // Polygons, one of them not convex.
   result = read_text("polygons.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv 2 -2 0\nv 0 -2 0\n"
                      "f 1 2 3 4 5\nf 2 1 7 6\n", tm);
-  assert(result && mentions(result, "2 polygons were triangulated") && tm.number_of_faces() == 5 && is_near(PMP::area(tm), 6.5));
+  assert(result && mentions(result, "2 polygons were triangulated") && tm.number_of_faces() == 5 &&
+         is_near(PMP::area(tm), 6.5));
 
   // Twice the same face, turned or not, and vertices without a face.
   soup = cube;
@@ -302,7 +316,8 @@ void test_repaired()
   soup.triangles.push_back(soup.triangles[5]);
   soup.triangles.push_back({{ soup.triangles[7][1], soup.triangles[7][0], soup.triangles[7][2] }});
   result = read_text("twice.off", off_text(soup), tm);
-  assert(result && mentions(result, "1 face equal to another one was dropped") && mentions(result, "1 vertex without a face"));
+  assert(result && mentions(result, "1 face equal to another one was dropped") &&
+         mentions(result, "1 vertex without a face"));
   assert(mentions(result, "1 face that is the other side of another one was dropped") && CGAL::is_closed(tm));
   assert(tm.number_of_faces() == 108 && tm.number_of_vertices() == 56 && is_near(PMP::volume(tm), 1));
 
@@ -366,7 +381,8 @@ void test_repaired()
   for(std::size_t i = 0; i < 4; ++i)
     soup.add_quad(10 + i, 11 + i, 26 + i, 25 + i);
   result = read_text("wall.off", off_text(soup), tm);
-  assert(result && mentions(result, "4 edges with more than two faces were separated into sheets, which will not fit together"));
+  assert(result &&
+         mentions(result, "4 edges with more than two faces were separated into sheets, which will not fit together"));
   assert(number_of_components(tm) == 2 && number_of_borders(tm) == 2 && is_near(PMP::area(tm), 2));
   assert(tm.number_of_vertices() == 25 + 10);
 
@@ -454,12 +470,14 @@ std::string stl_binary(const Soup& soup, const std::string& header = "binary")
 // PLY with unsigned short indices, a list before the indices and properties behind them.
 std::string ply_binary(const Soup& soup, bool is_big_endian)
 {
-  std::string bytes = std::string("ply\nformat ") + (is_big_endian ? "binary_big_endian" : "binary_little_endian") +
-                      " 1.0\ncomment made by hand\nelement vertex " + std::to_string(soup.points.size()) +
-                      "\nproperty uchar quality\nproperty double x\nproperty double y\nproperty double z\n"
-                      "property list uint8 float32 weights\nelement face " + std::to_string(soup.triangles.size()) +
-                      "\nproperty list uint8 double texcoord\nproperty list uint8 uint16 vertex_indices\nproperty int flags\n"
-                      "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  std::string bytes =
+      std::string("ply\nformat ") + (is_big_endian ? "binary_big_endian" : "binary_little_endian") +
+      " 1.0\ncomment made by hand\nelement vertex " + std::to_string(soup.points.size()) +
+      "\nproperty uchar quality\nproperty double x\nproperty double y\nproperty double z\n"
+      "property list uint8 float32 weights\nelement face " +
+      std::to_string(soup.triangles.size()) +
+      "\nproperty list uint8 double texcoord\nproperty list uint8 uint16 vertex_indices\nproperty int flags\n"
+      "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   for(const Point_3& p : soup.points)
   {
     append(bytes, std::uint8_t(7));
@@ -499,7 +517,8 @@ std::string ply_text(const Soup& soup)
 
 void check_cube(const Result& result, const Mesh& tm, std::size_t vertices, double volume = 1)
 {
-  assert(result && CGAL::is_closed(tm) && tm.number_of_vertices() == vertices && std::abs(PMP::volume(tm) - volume) < 1e-6);
+  assert(result && CGAL::is_closed(tm) && tm.number_of_vertices() == vertices &&
+         std::abs(PMP::volume(tm) - volume) < 1e-6);
 }
 
 void test_variants()
@@ -517,21 +536,24 @@ void test_variants()
   check_cube(read_text("binary.stl", stl_binary(cube), tm), tm, 26);
   check_cube(read_text("solid.stl", stl_binary(cube, "solid although binary"), tm), tm, 26);
   std::string upper = stl_text(cube);
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   check_cube(read_text("upper.stl", upper, tm), tm, 26);
   check_cube(read_text("two_solids.stl", stl_text(cube) + stl_text(cube), tm), tm, 26);
 
   // Triangle strips: the second triangle of a strip is turned.
-  const std::string strips = "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
-                             "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                             "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n8 0 1 2 3 -1 2 3 4\n";
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n8 0 1 2 3 -1 2 3 4\n";
   Result result = read_text("strips.ply", strips, tm);
   assert(result && tm.number_of_faces() == 3 && result.counts.reversed_faces == 0 && is_near(PMP::area(tm), 1.5));
 
   // OFF with prefixes, and in binary form.
   const char* const points[] = { "0 0 0", "1 0 0", "0 1 0" };
-  for(const auto& variant : { std::make_pair("COFF", " 10 20 30 255"), std::make_pair("NOFF", " 0 0 1"), std::make_pair("STOFF", " 0.5 0.5"),
-                              std::make_pair("STCNOFF", " 0 0 1 1 1 1 1 0 0"), std::make_pair("off", "") })
+  for(const auto& variant :
+      {std::make_pair("COFF", " 10 20 30 255"), std::make_pair("NOFF", " 0 0 1"), std::make_pair("STOFF", " 0.5 0.5"),
+       std::make_pair("STCNOFF", " 0 0 1 1 1 1 1 0 0"), std::make_pair("off", "")})
   {
     std::string text = std::string(variant.first) + "\n# a comment\n3 1 3\n";
     for(const char* p : points)
@@ -548,9 +570,12 @@ void test_variants()
   assert(read_text("binary.off", binary, tm) && is_near(PMP::area(tm), 0.5));
 
   // OBJ with tabs, continuation lines, groups, lines and points, and indices of all kinds.
-  result = read_text("all.obj", "# x\ng a b\ns off\nusemtl m\nv\t0 0\t0\r\nv 1 0 \\\n 0 0.1 0.2 0.3\nv 0 1 0 1\nvt 0 0\nvn 0 0 1\n"
-                     "p 1\nl 1 2\nl 2 3\no second\nf\t1/1/1\t-2//1 3/1 # end\nf 1 3 2/1\n", tm);
-  assert(result && tm.number_of_faces() == 1 && mentions(result, "2 line elements were passed over.") && mentions(result, "1 point element"));
+  result = read_text("all.obj",
+                     "# x\ng a b\ns off\nusemtl m\nv\t0 0\t0\r\nv 1 0 \\\n 0 0.1 0.2 0.3\nv 0 1 0 1\nvt 0 0\nvn 0 0 1\n"
+                     "p 1\nl 1 2\nl 2 3\no second\nf\t1/1/1\t-2//1 3/1 # end\nf 1 3 2/1\n",
+                     tm);
+  assert(result && tm.number_of_faces() == 1 && mentions(result, "2 line elements were passed over.") &&
+         mentions(result, "1 point element"));
 
   // What is damaged is refused where that shows.
   std::string short_stl = stl_binary(cube);
@@ -560,7 +585,8 @@ void test_variants()
   std::string short_ply = ply_binary(cube, false);
   short_ply.resize(short_ply.size() - 20);
   check_refused("short.ply", short_ply, Status::MALFORMED_FILE, "face");
-  check_refused("index.ply", ply_text(test_meshes::cube(1)).replace(ply_text(test_meshes::cube(1)).rfind("3 "), 3, "3 9"),
+  check_refused("index.ply",
+                ply_text(test_meshes::cube(1)).replace(ply_text(test_meshes::cube(1)).rfind("3 "), 3, "3 9"),
                 Status::INVALID_INDEX, "vertex 9");
 }
 
@@ -579,9 +605,11 @@ void test_two_sided()
   const Soup cube = test_meshes::cube(2);
   Result result = read_text("cube.off", off_text(both_sides(cube)), tm);
   check_cube(result, tm, 26);
-  assert(mentions(result, "48 faces that are the other side of another one were dropped") && result.counts.reversed_faces == 0);
+  assert(mentions(result, "48 faces that are the other side of another one were dropped") &&
+         result.counts.reversed_faces == 0);
   for(std::size_t n = 0; n < 96; ++n)
-    assert(result.faces.mesh_number(n) != result.faces.none && result.faces.mesh_number(n) == result.faces.mesh_number((n + 48) % 96));
+    assert(result.faces.mesh_number(n) != result.faces.none &&
+           result.faces.mesh_number(n) == result.faces.mesh_number((n + 48) % 96));
 
   // The same outwards, whichever side comes first, and with vertices of their own for each side, or for each triangle.
   Soup inside_out = cube;
@@ -613,8 +641,9 @@ void test_two_sided()
   result = read_text("cube_and_square.off", off_text(soup), tm);
   assert(result && tm.number_of_faces() == 50 && number_of_components(tm) == 2 && number_of_borders(tm) == 1);
   soup = cube;
-  const Soup lid = both_sides(Soup{ { cube.points[soup.triangles[0][0]], cube.points[soup.triangles[0][1]], cube.points[soup.triangles[0][2]] },
-                                    { {{ 0, 1, 2 }} } });
+  const Soup lid = both_sides(
+      Soup{{cube.points[soup.triangles[0][0]], cube.points[soup.triangles[0][1]], cube.points[soup.triangles[0][2]]},
+           {{{0, 1, 2}}}});
   soup.triangles.erase(soup.triangles.begin());
   check_cube(read_text("lid.obj", scattered_obj(test_meshes::joined(soup, lid)), tm), tm, 26);
 
@@ -625,7 +654,8 @@ void test_two_sided()
     const Soup boxes = test_meshes::joined(box, test_meshes::translated(box, test_meshes::Vector_3(1, 0, 0)));
     for(const bool is_scattered : { false, true })
     {
-      result = read_text(is_scattered ? "boxes.obj" : "boxes.stl", is_scattered ? scattered_obj(boxes) : stl_binary(boxes), tm);
+      result = read_text(is_scattered ? "boxes.obj" : "boxes.stl",
+                         is_scattered ? scattered_obj(boxes) : stl_binary(boxes), tm);
       assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && is_near(PMP::volume(tm), 2));
     }
     result = read_text("boxes.off", off_text(boxes), tm);
@@ -640,8 +670,10 @@ void test_merging()
   const Soup cube = test_meshes::cube(1);
 
   // Two boxes that share an edge, each triangle with vertices of its own.
-  Result result = read_text("edge.obj", scattered_obj(test_meshes::joined(cube, test_meshes::translated(cube, { 1, 1, 0 }))), tm);
-  assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && tm.number_of_vertices() == 16 && is_near(PMP::volume(tm), 2));
+  Result result =
+      read_text("edge.obj", scattered_obj(test_meshes::joined(cube, test_meshes::translated(cube, {1, 1, 0}))), tm);
+  assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && tm.number_of_vertices() == 16 &&
+         is_near(PMP::volume(tm), 2));
   assert(result.counts.merged_vertices == 56 && result.counts.separated_edges == 1);
 
   // Voxels: many such edges and vertices, one solid where they share a side.
@@ -657,7 +689,8 @@ void test_merging()
           ++volume;
         }
   result = read_text("voxels.obj", scattered_obj(voxels), tm);
-  assert(result && CGAL::is_closed(tm) && is_near(PMP::volume(tm), volume) && number_of_components(tm) == static_cast<std::size_t>(volume));
+  assert(result && CGAL::is_closed(tm) && is_near(PMP::volume(tm), volume) &&
+         number_of_components(tm) == static_cast<std::size_t>(volume));
 
   // Noise where coordinates should be equal, from rounding in double precision up to the accuracy of STL.
   for(const double noise : { 6e-17, 1e-12, 1e-8, 1e-7 })
@@ -669,7 +702,8 @@ void test_merging()
       for(std::size_t v : t)
       {
         const Point_3 p = test_meshes::cube(4).points[v];
-        loose.points.push_back(Point_3(p.x() + random.uniform_real(-noise, noise), p.y() + random.uniform_real(-noise, noise),
+        loose.points.push_back(Point_3(p.x() + random.uniform_real(-noise, noise),
+                                       p.y() + random.uniform_real(-noise, noise),
                                        p.z() + random.uniform_real(-noise, noise)));
       }
       const std::size_t n = loose.points.size();
@@ -682,24 +716,36 @@ void test_merging()
   // Small features stay: a box with a slot as narrow as the noise above, a tiny box, and sheets close to each other.
   const double narrow = 1e-7;
   Soup slot = test_meshes::l_prism(1);
-  result = read_text("flat.obj", scattered_obj(test_meshes::mapped(slot, [&](const Point_3& p) { return Point_3(p.x(), p.y(), narrow * p.z()); })), tm);
+  result = read_text(
+      "flat.obj",
+      scattered_obj(test_meshes::mapped(slot, [&](const Point_3& p) { return Point_3(p.x(), p.y(), narrow * p.z()); })),
+      tm);
   assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 1);
   assert(tm.number_of_vertices() == test_meshes::make_mesh(slot).number_of_vertices());
-  const Soup tiny = test_meshes::mapped(cube, [](const Point_3& p) { return Point_3(5 + 1e-8 * p.x(), 1e-8 * p.y(), 1e-8 * p.z()); });
+  const Soup tiny =
+      test_meshes::mapped(cube, [](const Point_3& p) { return Point_3(5 + 1e-8 * p.x(), 1e-8 * p.y(), 1e-8 * p.z()); });
   result = read_text("tiny.obj", scattered_obj(test_meshes::joined(cube, tiny)), tm);
-  assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && tm.number_of_vertices() == 16 && tm.number_of_faces() == 24);
+  assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && tm.number_of_vertices() == 16 &&
+         tm.number_of_faces() == 24);
   const Soup sheet = test_meshes::grid(3, 3);
-  result = read_text("sheets.obj", scattered_obj(test_meshes::joined(sheet, test_meshes::translated(sheet, { 0, 0, 1e-5 }))), tm);
+  result = read_text("sheets.obj",
+                     scattered_obj(test_meshes::joined(sheet, test_meshes::translated(sheet, {0, 0, 1e-5}))), tm);
   assert(result && number_of_components(tm) == 2 && number_of_borders(tm) == 2);
 
   // What is closed already is left alone, however near its parts are.
-  result = read_text("shells.off", off_text(test_meshes::joined(cube, test_meshes::translated(cube, { 1 + 1e-9, 0, 0 }))), tm);
+  result =
+      read_text("shells.off", off_text(test_meshes::joined(cube, test_meshes::translated(cube, {1 + 1e-9, 0, 0}))), tm);
   assert(result && result.repairs.empty() && number_of_components(tm) == 2);
 
   // A cut closes; that of a Moebius strip stays open, as its surface has one side only otherwise.
   Soup ring = test_meshes::strip(9);
-  ring = test_meshes::mapped(ring, [](const Point_3& p)
-  { return p.x() == 9 ? Point_3(1, 0, p.y()) : Point_3(std::cos(p.x() * 2 * CGAL_PI / 9), std::sin(p.x() * 2 * CGAL_PI / 9), p.y()); });
+  ring = test_meshes::mapped(ring,
+                             [](const Point_3& p)
+                             {
+                               return p.x() == 9 ? Point_3(1, 0, p.y())
+                                                 : Point_3(std::cos(p.x() * 2 * CGAL_PI / 9),
+                                                           std::sin(p.x() * 2 * CGAL_PI / 9), p.y());
+                             });
   result = read_text("ring.off", off_text(ring), tm);
   assert(result && number_of_borders(tm) == 2 && tm.number_of_vertices() == 18 && result.counts.merged_vertices == 2);
   Soup moebius = test_meshes::strip(9);
@@ -708,14 +754,16 @@ void test_merging()
     const double a = p.x() * 2 * CGAL_PI / 9, w = p.y() - 0.5;
     if(p.x() == 9)
       return Point_3(3 - w, 0, 0);
-    return Point_3((3 + w * std::cos(a / 2)) * std::cos(a), (3 + w * std::cos(a / 2)) * std::sin(a), w * std::sin(a / 2));
+    return Point_3((3 + w * std::cos(a / 2)) * std::cos(a), (3 + w * std::cos(a / 2)) * std::sin(a),
+                   w * std::sin(a / 2));
   });
   result = read_text("cut_moebius.off", off_text(moebius), tm);
   assert(result && number_of_borders(tm) == 1 && tm.number_of_vertices() == 20);
   check_refused("loose_moebius.obj", scattered_obj(moebius), Status::NOT_ORIENTABLE, "Moebius");
 
   // A crack that is too wide to close is said: its vertices fit on one side, or on none.
-  Soup cracked = test_meshes::joined(test_meshes::grid(4, 4), test_meshes::translated(test_meshes::grid(5, 4), { 1 + 1e-4, 0, 0 }));
+  Soup cracked =
+      test_meshes::joined(test_meshes::grid(4, 4), test_meshes::translated(test_meshes::grid(5, 4), {1 + 1e-4, 0, 0}));
   result = read_text("cracked.off", off_text(cracked), tm);
   assert(result && number_of_components(tm) == 2 && result.number_of_crack_edges == 8 && mentions(result, "cracks"));
   assert(read_text("grid.off", off_text(test_meshes::grid(4, 4)), tm).number_of_crack_edges == 0);
@@ -767,7 +815,8 @@ void test_flat_triangles()
   assert(result.counts.flattened_faces == n - 1 && tm.number_of_vertices() == static_cast<std::size_t>(n) + 3);
 
   // A fine mesh far from the origin is not taken for one of flat triangles.
-  const Soup fine = test_meshes::mapped(test_meshes::cube(4), [](const Point_3& p) { return Point_3(1000 + p.x() / 256, p.y() / 256, p.z() / 256); });
+  const Soup fine = test_meshes::mapped(test_meshes::cube(4), [](const Point_3& p)
+                                        { return Point_3(1000 + p.x() / 256, p.y() / 256, p.z() / 256); });
   assert(read_text("fine.stl", stl_binary(fine), tm).counts.flattened_faces == 0 && tm.number_of_faces() == 192);
 }
 
@@ -784,7 +833,8 @@ void test_sheets()
   with_wall.replace(with_wall.find("12 20"), 5, "12 22");
   Result result = read_text("house.off", with_wall + "3 1 7 10\n3 1 10 4\n", tm);
   assert(result && number_of_components(tm) == 2 && number_of_borders(tm) == 1 && is_near(PMP::area(tm), 180 + 18));
-  assert(mentions(result, "4 edges with more than two faces were separated into sheets, which will not fit together once they are meshed."));
+  assert(mentions(result, "4 edges with more than two faces were separated into sheets, which will not fit together "
+                          "once they are meshed."));
   // The vertices of the wall's sheet are those of the file too.
   std::size_t split = 0;
   for(std::size_t v = 0; v < 16; ++v)
@@ -807,7 +857,8 @@ void test_numbers()
 {
   std::cout << "numbers of the file" << std::endl;
   Mesh tm;
-  Result result = read_text("unused.off", "OFF\n5 2 0\n100 100 100\n0 0 0\n1 -3 0\n2 0 0\n1 3 0\n3 1 2 3\n3 1 3 4\n", tm);
+  Result result =
+      read_text("unused.off", "OFF\n5 2 0\n100 100 100\n0 0 0\n1 -3 0\n2 0 0\n1 3 0\n3 1 2 3\n3 1 3 4\n", tm);
   assert(result && result.vertices.mesh_number(0) == result.vertices.none && result.vertices.file_size() == 5);
   for(std::size_t v = 1; v < 5; ++v)
     assert(result.vertices.mesh_number(v) == v - 1 && result.vertices.file_number(v - 1) == v);
@@ -817,7 +868,8 @@ void test_numbers()
   CGAL::Random random(5);
   Soup soup;
   for(int i = 0; i < 3; ++i)
-    soup = test_meshes::joined(soup, test_meshes::translated(test_meshes::cube(2), test_meshes::Vector_3(i % 2, i / 2, 0)));
+    soup = test_meshes::joined(soup,
+                               test_meshes::translated(test_meshes::cube(2), test_meshes::Vector_3(i % 2, i / 2, 0)));
   for(int i = 0; i < 20; ++i)
   {
     soup.points.push_back(Point_3(random.uniform_real(2., 3.), 5, 5));
@@ -887,7 +939,8 @@ void test_switches()
   Result result = read(off_text(soup), false);
   assert(result && result.repairs.empty() && tm.number_of_vertices() == 27 && result.vertices.is_identity());
   write_text("switch.off", off_text(soup));
-  assert(CGAL::Quad_meshing::read_triangle_mesh("switch.off", tm, params::repair(false)) && tm.number_of_vertices() == 27);
+  assert(CGAL::Quad_meshing::read_triangle_mesh("switch.off", tm, params::repair(false)) &&
+         tm.number_of_vertices() == 27);
   assert(read(off_text(soup), without(&Repairs::drop_unused_vertices)) && tm.number_of_vertices() == 27);
   assert(read(off_text(soup), true) && tm.number_of_vertices() == 26);
 
@@ -905,7 +958,8 @@ void test_switches()
   soup.triangles.push_back(soup.triangles[5]);
   assert(read(off_text(soup), false).status == Status::NEEDS_REPAIR);
   result = read(off_text(cube, { { 0, 1, 1 } }), without(&Repairs::drop_copies));
-  assert(result.status == Status::NEEDS_REPAIR && result.message.find("1 face with fewer than three") != std::string::npos);
+  assert(result.status == Status::NEEDS_REPAIR &&
+         result.message.find("1 face with fewer than three") != std::string::npos);
 
   const std::string needle = "OFF\n5 4 0\n0 0 0\n2 0 0\n1 0 0\n1 1 0\n1 -1 0\n3 0 2 3\n3 2 1 3\n3 0 1 2\n3 1 0 4\n";
   result = read(needle, without(&Repairs::flatten_faces));
@@ -923,7 +977,8 @@ void test_switches()
   result = read(off_text(soup), without(&Repairs::separate_sheets));
   assert(result.status == Status::NEEDS_REPAIR && result.message == "There is 1 edge with more than two faces.");
   result = read("OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n", false);
-  assert(result.status == Status::NEEDS_REPAIR && result.message == "There is 1 vertex at which the surface touches itself.");
+  assert(result.status == Status::NEEDS_REPAIR &&
+         result.message == "There is 1 vertex at which the surface touches itself.");
 }
 
 // Polygons of all shapes.
@@ -963,10 +1018,13 @@ void test_polygons()
   // A square with a square hole, reached over a slit.
   const std::string hole = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n";
   Result result = read_text("hole.obj", hole + "f 1 2 3 4 1 5 6 7 8 5\n", tm);
-  assert(result && number_of_borders(tm) == 2 && tm.number_of_vertices() == 8 && tm.number_of_faces() == 8 && is_near(PMP::area(tm), 8));
+  assert(result && number_of_borders(tm) == 2 && tm.number_of_vertices() == 8 && tm.number_of_faces() == 8 &&
+         is_near(PMP::area(tm), 8));
 
   // Two quads on the same four vertices, as a pillow: their diagonals must differ, or one edge gets a vertex.
-  result = read_text("pillow.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 3 4\nf 1 4 5\nf 4 3 5\nf 3 2 5\nf 2 1 5\n", tm);
+  result =
+      read_text("pillow.obj",
+                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 3 4\nf 1 4 5\nf 4 3 5\nf 3 2 5\nf 2 1 5\n", tm);
   assert(result && CGAL::is_closed(tm) && is_near(std::abs(PMP::volume(tm)), 1. / 3));
 }
 
@@ -976,20 +1034,30 @@ void test_fuzz()
   std::cout << "damaged files" << std::endl;
   const Soup cube = test_meshes::cube(1), grid = test_meshes::grid(2, 2);
   const std::string head = "# comment\nmtllib x.mtl\n";
-  const std::vector<std::pair<std::string, std::string> > files = {
-    { "a.off", off_text(cube) }, { "b.off", off_text(grid, { { 0, 1, 4, 3 } }) },
-    { "c.off", "COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n" },
-    { "d.off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 2\n0 1 0 2\n3 0 1 2\n" },
-    { "e.off", "OFF # comment\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2 255 0 0\r\n" },
-    { "f.off", std::string("OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0", 23) + std::string(36, '\1') + std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20) },
-    { "g.obj", scattered_obj(cube) }, { "h.obj", head + "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf -4 -3 \\\n -2\nl 1 2\n" },
-    { "i.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\n" }, { "j.obj", scattered_obj(grid) },
-    { "k.ply", ply_binary(cube, false) }, { "l.ply", ply_binary(cube, true) }, { "m.ply", ply_text(cube) },
-    { "n.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\n"
-               "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 0 1 2 3 -1\n" },
-    { "o.ply", ply_binary(grid, false) }, { "p.ply", ply_text(grid) },
-    { "q.stl", stl_text(cube) }, { "r.stl", stl_binary(cube) }, { "s.stl", stl_binary(grid, "solid") }, { "t.stl", stl_text(grid) }
-  };
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"a.off", off_text(cube)},
+      {"b.off", off_text(grid, {{0, 1, 4, 3}})},
+      {"c.off", "COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n"},
+      {"d.off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 2\n0 1 0 2\n3 0 1 2\n"},
+      {"e.off", "OFF # comment\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2 255 0 0\r\n"},
+      {"f.off", std::string("OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0", 23) + std::string(36, '\1') +
+                    std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20)},
+      {"g.obj", scattered_obj(cube)},
+      {"h.obj", head + "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf -4 -3 \\\n -2\nl 1 2\n"},
+      {"i.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\n"},
+      {"j.obj", scattered_obj(grid)},
+      {"k.ply", ply_binary(cube, false)},
+      {"l.ply", ply_binary(cube, true)},
+      {"m.ply", ply_text(cube)},
+      {"n.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+                "z\nelement tristrips 1\n"
+                "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 0 1 2 3 -1\n"},
+      {"o.ply", ply_binary(grid, false)},
+      {"p.ply", ply_text(grid)},
+      {"q.stl", stl_text(cube)},
+      {"r.stl", stl_binary(cube)},
+      {"s.stl", stl_binary(grid, "solid")},
+      {"t.stl", stl_text(grid)}};
   CGAL::Random random(11);
   std::size_t refused = 0, number = 0;
   CGAL::Timer timer;
@@ -1029,8 +1097,10 @@ void test_fuzz()
 // Names of statuses are those of their enumerators.
 void test_status_names()
 {
-  assert(status_name(Status::SUCCESS) == std::string("success") && status_name(Status::NEEDS_REPAIR) == std::string("needs_repair"));
-  assert(status_name(Status::CANNOT_OPEN) == std::string("cannot_open") && status_name(Status::NOT_ORIENTABLE) == std::string("not_orientable"));
+  assert(status_name(Status::SUCCESS) == std::string("success") &&
+         status_name(Status::NEEDS_REPAIR) == std::string("needs_repair"));
+  assert(status_name(Status::CANNOT_OPEN) == std::string("cannot_open") &&
+         status_name(Status::NOT_ORIENTABLE) == std::string("not_orientable"));
 }
 
 void test_soup()
@@ -1072,7 +1142,8 @@ void test_json()
                    "\xEF\xBF\xBD\xEF\xBF\xBD \xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD \xEF\xBF\xBD\xEF\xBF\xBD\"\n}\n");
 
   // Numbers read back as they were.
-  for(double x : { 0., 1. / 3, -1e300 / 3, 1e-300 / 7, Limits::min(), Limits::max(), Limits::epsilon(), 123456789., 4000. })
+  for(double x :
+      {0., 1. / 3, -1e300 / 3, 1e-300 / 7, Limits::min(), Limits::max(), Limits::epsilon(), 123456789., 4000.})
     assert(std::strtod(CGAL::Quad_meshing::internal::json_number(x).c_str(), nullptr) == x);
 }
 

@@ -24,8 +24,8 @@ namespace Quad_meshing {
 /*!
  * \ingroup PkgQuadMeshingIORef
  *
- * \brief reads points and polygons from a file, as the function template of this name does. It is compiled once with the
- * package.
+ * \brief reads points and polygons from a file, as the function template of this name does. It is compiled once with
+ * the package.
  */
 CGAL_QUAD_MESHING_INLINE Mesh_reading_result
 read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3> >& points,
@@ -37,12 +37,12 @@ read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3>
  * \brief reads points and polygons from a file and checks them, without any repair.
  *
  * The format is told by the extension: OFF, OBJ, PLY or STL; \ref Quad_meshing_IO_formats says which variants. After
- * success there is at least one polygon, all indices are valid and all coordinates are finite; nothing is said about the
- * shape of the polygons and how they fit together. The function never throws and never prints on account of the file; if
- * it cannot read it says why, and `points` and `polygons` stay as they were.
+ * success there is at least one polygon, all indices are valid and all coordinates are finite; nothing is said about
+ * the shape of the polygons and how they fit together. The function never throws and never prints on account of the
+ * file; if it cannot read it says why, and `points` and `polygons` stay as they were.
  *
- * \tparam PointRange a model of `BackInsertionSequence` whose value type can be constructed from three numbers of type `double`
- * \tparam PolygonRange a model of `BackInsertionSequence` whose value type is a model of
+ * \tparam PointRange a model of `BackInsertionSequence` whose value type can be constructed from three numbers of type
+ * `double` \tparam PolygonRange a model of `BackInsertionSequence` whose value type is a model of
  *                      `BackInsertionSequence` with value type `std::size_t`
  *
  * \param filename the name of the file

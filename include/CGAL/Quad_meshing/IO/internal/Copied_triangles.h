@@ -99,7 +99,10 @@ public:
   bool is_in_fin(std::size_t f) const { return m_is_dropped[f] && stays_for(f) == no_index; }
 
   // Whether a triangle was dropped as the other side of one that stays.
-  bool is_other_side(std::size_t f) const { return m_is_dropped[f] && stays_for(f) != no_index && m_other_side[stays_for(f)] == f; }
+  bool is_other_side(std::size_t f) const
+  {
+    return m_is_dropped[f] && stays_for(f) != no_index && m_other_side[stays_for(f)] == f;
+  }
 
   // The triangle that stays for f, no_index if none does.
   Soup_index stays_for(std::size_t f) const
@@ -249,11 +252,12 @@ private:
   double area(std::size_t f) const
   {
     const Soup_vector& p = m_triangles.point(f, 0);
-    return 0.5 * soup_length(soup_cross(soup_difference(m_triangles.point(f, 1), p), soup_difference(m_triangles.point(f, 2), p)));
+    return 0.5 * soup_length(soup_cross(soup_difference(m_triangles.point(f, 1), p),
+                                        soup_difference(m_triangles.point(f, 2), p)));
   }
 
-  // Whether a double face lies in the material between the other faces of an edge, which must bound some. Counterclockwise
-  // around the edge, material ends at a face that runs upwards and begins at one that runs downwards.
+  // Whether a double face lies in the material between the other faces of an edge, which must bound some.
+  // Counterclockwise around the edge, material ends at a face that runs upwards and begins at one that runs downwards.
   bool is_inside(const Double_edge& e, std::size_t f) const
   {
     const Angles_around_edge angle_of_point(m_triangles.points[e.low], m_triangles.points[e.high]);

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Removes triangles without a height, see Flatness. The longest side of such a triangle holds its third vertex, so the surface, as a
-// set of points, stays what it is if that vertex is inserted into the other triangles at that side and the flat one is
-// taken away. Two flat triangles with the same vertices go together.
+// Removes triangles without a height, see Flatness. The longest side of such a triangle holds its third vertex, so the
+// surface, as a set of points, stays what it is if that vertex is inserted into the other triangles at that side and
+// the flat one is taken away. Two flat triangles with the same vertices go together.
 //
 // This comes before edges with more than two faces are looked for: flat triangles are what makes many of them.
 class Flat_triangles
