@@ -292,6 +292,7 @@ private:
   {
     Flat_triangles flat(m_triangles, m_is_flat);
     const std::size_t number = flat.find().size();
+    m_may_be_flat = number > 0 || !m_triangles.place.empty();
     if(number == m_triangles.size())
       return refuse(Mesh_reading_status::NO_FACES, "No face has an area.");
     if(number == 0 || !m_repairs.flatten_faces)
@@ -397,13 +398,17 @@ private:
   {
     int longest = 0;
     const std::vector<Polygon_soup::Point>& p = m_surface.points;
-    for(const auto& t : m_surface.triangles)
+    for(std::size_t f = 0; f < m_surface.triangles.size() && m_may_be_flat; ++f)
+    {
+      const auto& t = m_surface.triangles[f];
       m_result.number_of_degenerate_faces += m_is_flat(p[t[0]], p[t[1]], p[t[2]], longest);
+    }
     const Cracks cracks = find_cracks(m_surface, m_size.diagonal);
     m_result.number_of_crack_edges = cracks.number_of_edges;
     m_crack_width = cracks.width;
   }
 
+  bool m_may_be_flat = true; // whether the mesh may have triangles of zero area
   double m_crack_width = 0;
 
   // A sentence about n things that were changed; `what` follows the verb.

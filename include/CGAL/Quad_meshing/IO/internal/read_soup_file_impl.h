@@ -45,20 +45,20 @@ inline bool read_bytes(const std::string& filename, std::string& bytes, std::str
   errno = 0;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(filename.c_str(), "rb"), &std::fclose);
   bool is_good = file != nullptr;
+  std::size_t wanted = std::size_t(1) << 20; // bytes, where the size is not known
   if(is_good && std::fseek(file.get(), 0, SEEK_END) == 0)
   {
     // What has a size is read at once; a pipe has none.
     const long size = std::ftell(file.get());
     constexpr long largest_guess = 1L << 30; // bytes; a folder says any size
     if(0 < size && size <= largest_guess)
-      bytes.reserve(static_cast<std::size_t>(size) + 1);
+      wanted = static_cast<std::size_t>(size) + 1;
     std::rewind(file.get());
   }
   errno = is_good ? 0 : errno;
-  for(std::size_t n = 1; is_good && n > 0;)
+  for(std::size_t n = wanted; is_good && n == wanted;)
   {
-    constexpr std::size_t chunk = std::size_t(1) << 20; // bytes
-    const std::size_t old_size = bytes.size(), wanted = (std::max)(chunk, bytes.capacity() - old_size);
+    const std::size_t old_size = bytes.size();
     bytes.resize(old_size + wanted);
     n = std::fread(&bytes[old_size], 1, wanted, file.get());
     bytes.resize(old_size + n);
