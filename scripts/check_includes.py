@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks who includes whom: the rooms of the package and the arrows between them.
+"""Checks who includes whom: the rooms of the package and the arrows between them. And that no two headers define classes of one name.
 
 usage: check_includes.py [ROOT]
 
@@ -38,6 +38,7 @@ PREFIX = "CGAL/Quad_meshing/"
 UMBRELLA = "CGAL/Quad_meshing.h"
 COMPATIBILITY = PREFIX + "internal/compatibility.h"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+CLASS = re.compile(r"^(?:class|struct)\s+(\w+)\s*(?:$|:(?!:)|\{)")
 VERSION = re.compile(r"\bCGAL_VERSION(_NR|_MAJOR|_MINOR|_PATCH|_STR)?\b|\bCGAL_(MAJOR|MINOR)_VERSION\b|<CGAL/version\.h>")
 
 
@@ -121,10 +122,22 @@ def check_user(path, shown, stays_outside, offences):
     with open(path, encoding="utf-8") as file:
         for number, line in enumerate(file, 1):
             match = INCLUDE.match(line)
-            if stays_outside and match and match.group(2).startswith(PREFIX) and place_of(match.group(2))[1]:
+            if stays_outside and match and match.group(2) != COMPATIBILITY and match.group(2).startswith(PREFIX) and \
+               place_of(match.group(2))[1]:
                 offences.append((shown, number, "an example includes what is internal"))
             if VERSION.search(line.split("//")[0]):
                 offences.append((shown, number, "a version of CGAL outside internal/compatibility.h"))
+
+
+def check_classes(path, shown, places, offences):
+    """Two classes of one name in different files clash where their functions meet in a program, and no compiler says so."""
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            match = CLASS.match(line)
+            if match:
+                first = places.setdefault(match.group(1), shown)
+                if first != shown:
+                    offences.append((shown, number, "%s defines a class %s, too" % (first, match.group(1))))
 
 
 def files_below(folder, endings):
@@ -142,11 +155,13 @@ def main():
     assert not has_cycle(ARROWS), "the table of arrows has a cycle"
 
     offences = []
+    classes = {}
     include = os.path.join(root, "include")
     for path in files_below(include, ".h"):
         header = os.path.relpath(path, include).replace(os.sep, "/")
         place = None if header == UMBRELLA else place_of(header)
         check_file(path, "include/" + header, place, header == COMPATIBILITY, offences)
+        check_classes(path, "include/" + header, classes, offences)
 
     # The kernels of a room belong to it.
     source = os.path.join(root, "src", "Quad_meshing")

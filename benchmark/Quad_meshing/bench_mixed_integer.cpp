@@ -11,13 +11,15 @@
 //
 //   bench_mixed_integer [--naive N] [--sizes] [NAME or MESH ...]
 //
-// A MESH (.off, .obj, .ply) gives the problems of Tables 5.1 and 5.2 of Bommes 2012, made of it and its decimations: cross fields without
-// constraints at 200, 1000, 2000 triangles and all, and maps at 1000 and 4000 quads; the figures of the thesis, for other decimations
-// of a rocker arm with constraints, stand below. Naive rounding is left out beyond N integers (default 2000). With --sizes it
-// gives the times of Tables 5.3 and 5.4 instead, at 10000, 50000 and 200000 triangles.
+// A MESH (.off, .obj, .ply) gives the problems of Tables 5.1 and 5.2 of Bommes 2012, made of it and its decimations:
+// cross fields without constraints at 200, 1000, 2000 triangles and all, and maps at 1000 and 4000 quads; the figures
+// of the thesis, for other decimations of a rocker arm with constraints, stand below. Naive rounding is left out
+// beyond N integers (default 2000). With --sizes it gives the times of Tables 5.3 and 5.4 instead, at 10000, 50000
+// and 200000 triangles.
 //
-// A NAME stands for the files NAME.A.mtx, NAME.b.mtx (Matrix Market) and NAME.I.txt (indices of integers, from 0). Without
-// arguments two families of problems are made: maps, a few integers of global influence, and fields, many of local influence.
+// A NAME stands for the files NAME.A.mtx, NAME.b.mtx (Matrix Market) and NAME.I.txt (indices of integers, from 0).
+// Without arguments two families of problems are made: maps, a few integers of global influence, and fields, many of
+// local influence.
 
 #include "mixed_integer_problems.h"
 
@@ -29,7 +31,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,14 +51,6 @@ double factorization_seconds(const Problem& problem)
   return timer.time();
 }
 
-// Stops naive rounding after some steps, to tell the time of the rest from them.
-struct Step_limit : QM::Default_visitor
-{
-  int steps = 0, maximum;
-  explicit Step_limit(int m) : maximum(m) {}
-  bool go_further() { return ++steps < maximum; }
-};
-
 // Of the relaxation that raises lower bounds. With more integers it takes long.
 const int bound_rounds = 8, most_relaxed_integers = 250;
 
@@ -77,7 +70,7 @@ void print(const char* name, const Solution& s, double factorization)
 
 void run(const std::string& name, const Problem& problem)
 {
-  const int naive_steps = 400;
+  const double naive_seconds = 20.; // after which the time of the rest is told from that of the roundings before
   const double factorization = factorization_seconds(problem);
   std::printf("%s: %d variables, %d integers; one factorization %.4g s\n", name.c_str(), problem.number_of_variables(),
               problem.number_of_integers(), factorization);
@@ -85,16 +78,15 @@ void run(const std::string& name, const Problem& problem)
   print("direct", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::DIRECT)),
         factorization);
 
-  if(problem.number_of_integers() <= naive_steps)
-    print("naive", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)),
-          factorization);
+  const Solution naive = QM::solve_mixed_integer(
+    problem, params::rounding_method(QM::Rounding_method::NAIVE).maximum_running_time(naive_seconds));
+  if(naive.factorization_roundings == naive.free_integers)
+    print("naive", naive, factorization);
   else
   {
-    Step_limit limit(naive_steps);
-    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)
-      .visitor(std::ref(limit)));
-    const double seconds = s.seconds / naive_steps * problem.number_of_integers();
-    std::printf("  %-22s %10.4g s %9.1f x   (from %d steps)\n", "naive", seconds, seconds / factorization, naive_steps);
+    const double seconds = naive.seconds / naive.factorization_roundings * naive.free_integers;
+    std::printf("  %-22s %10.4g s %9.1f x   (from %d roundings)\n", "naive", seconds, seconds / factorization,
+                naive.factorization_roundings);
   }
   print("greedy", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)),
         factorization);
@@ -251,6 +243,28 @@ void print_sizes(const std::string& name, const Mesh& tm)
               "1.3, 5.3, 21.4 s and 0.15, 0.9, 6.7 s\n\n");
 }
 
+// What the order of elimination does to the matrix ([Bom12, 5.3], the fill-in experiment).
+void print_elimination_orders()
+{
+  std::printf("Order of elimination: entries of the matrix, and seconds of greedy rounding\n");
+  std::printf("%9s %12s | %12s %10s | %12s %10s\n", "variables", "constraints", "fewest first", "seconds", "as given",
+              "seconds");
+  for(int width : { 30, 60, 120 })
+  {
+    const Problem problem = make_constrained_map(width);
+    std::printf("%9d %12d", problem.number_of_variables(), static_cast<int>(problem.equality_constraints().size()));
+    for(QM::Elimination_order order : { QM::Elimination_order::FEWEST_COEFFICIENTS, QM::Elimination_order::AS_GIVEN })
+    {
+      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)
+                                                            .elimination_order(order));
+      std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
+      std::fflush(stdout);
+    }
+    std::printf("\n");
+  }
+  std::printf("\n");
+}
+
 bool is_mesh_name(const std::string& name)
 {
   const std::size_t dot = name.rfind('.');
@@ -303,6 +317,7 @@ int main(int argc, char* argv[])
     print_thesis();
   if(is_default)
   {
+    print_elimination_orders();
     run("map 100 x 100", make_map(100, 50));
     run("map 200 x 200", make_map(200, 100));
     run("field 40 x 40", make_field(40));

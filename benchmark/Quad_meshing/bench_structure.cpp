@@ -17,7 +17,11 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 

@@ -63,6 +63,53 @@ inline Problem make_map(int width, int integers)
   return problem;
 }
 
+// A map of a grid cut into square tiles, each with coordinates of its own for all of its nodes: transitions across
+// the cuts are equality constraints with an integer translation per cut, and a few long ones say that paths across
+// all tiles have integer lengths.
+inline Problem make_constrained_map(int width)
+{
+  const int tile = 10, tiles = width / tile, nodes = tile + 1;
+  CGAL::Random random(3);
+  Problem problem(tiles * tiles * nodes * nodes);
+  const auto variable = [&](int a, int b, int i, int j) { return ((a * tiles + b) * nodes + i) * nodes + j; };
+  for(int a = 0; a < tiles; ++a)
+  {
+    const int length = problem.add_variable(true);
+    Problem::Linear_form path(1, std::make_pair(length, -1.));
+    for(int b = 0; b < tiles; ++b)
+    {
+      path.emplace_back(variable(a, b, 0, tile), 1.);
+      path.emplace_back(variable(a, b, 0, 0), -1.);
+    }
+    problem.add_equality_constraint(path, 0.);
+  }
+  for(int a = 0; a < tiles; ++a)
+    for(int b = 0; b < tiles; ++b)
+    {
+      for(int i = 0; i < nodes; ++i)
+        for(int j = 0; j < nodes; ++j)
+        {
+          if(i + 1 < nodes)
+            problem.add_squared_residual({ { variable(a, b, i + 1, j), 1. }, { variable(a, b, i, j), -1. } },
+                                         random.get_double(-0.6, 0.7));
+          if(j + 1 < nodes)
+            problem.add_squared_residual({ { variable(a, b, i, j + 1), 1. }, { variable(a, b, i, j), -1. } },
+                                         random.get_double(-0.6, 0.7));
+        }
+      for(int side = 0; side < 2; ++side)
+        if((side == 0 ? a : b) + 1 < tiles)
+        {
+          const int translation = problem.add_variable(true);
+          for(int k = 0; k < nodes; ++k)
+            problem.add_equality_constraint({ { side == 0 ? variable(a, b, tile, k) : variable(a, b, k, tile), 1. },
+                                              { side == 0 ? variable(a + 1, b, 0, k) : variable(a, b + 1, k, 0), -1. },
+                                              { translation, -1. } }, 0.);
+        }
+    }
+  problem.add_equality_constraint({ { 0, 1. } }, 0.);
+  return problem;
+}
+
 // Angles at the nodes of a grid, period jumps on the edges that are not in a spanning tree.
 inline Problem make_field(int width)
 {
@@ -110,7 +157,8 @@ inline Mesh resized(Mesh tm, std::size_t triangles)
 
 inline QM::internal::Indexed_triangle_mesh indexed(const Mesh& tm)
 {
-  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm),
+                                                  get(boost::face_index, tm));
 }
 
 // The angles and period jumps of a smooth cross field without constraints.
@@ -122,8 +170,8 @@ inline Problem field_problem(const Mesh& tm)
   return QM::internal::Mixed_integer_field(field).system();
 }
 
-// The seamless map of about `quads` quads that follows the smooth cross field, features and border aligned; its integers are
-// the coordinates of singularities and features and the translations across cuts.
+// The seamless map of about `quads` quads that follows the smooth cross field, features and border aligned; its
+// integers are the coordinates of singularities and features and the translations across cuts.
 inline Problem map_problem(Mesh tm, double quads)
 {
   using namespace QM::internal;

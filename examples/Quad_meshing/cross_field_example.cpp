@@ -20,11 +20,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <boost/optional.hpp>
-
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <optional>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -47,11 +46,11 @@ int main(int argc, char* argv[])
   auto period_jump = tm.add_property_map<Mesh::Edge_index, int>("e:period_jump").first;
   auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index").first;
   auto sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
-  auto direction = tm.add_property_map<Mesh::Face_index, boost::optional<Kernel::Vector_3> >("f:direction").first;
+  auto direction = tm.add_property_map<Mesh::Face_index, std::optional<Kernel::Vector_3> >("f:direction").first;
 
   const double length = QM::edge_length_for_number_of_quads(tm, quads);
   CGAL::Polygon_mesh_processing::detect_sharp_edges(tm, 40, sharp);
-  const int salient = QM::salient_directions(tm, length, direction);
+  const int salient = QM::salient_directions(tm, length, direction).number_of_faces;
 
   const QM::Cross_field_result result = QM::smooth_cross_field(
     tm, angle, period_jump, index,

@@ -65,6 +65,6 @@ int main(int argc, char* argv[])
             << map.integers << " integers." << std::endl;
 
   const auto report = QM::is_integer_grid_map(tm, uv, CGAL::parameters::edge_is_constrained_map(is_feature));
-  std::cout << "exact check: " << report.message() << std::endl;
+  std::cout << report.message() << std::endl;
   return report ? EXIT_SUCCESS : EXIT_FAILURE;
 }

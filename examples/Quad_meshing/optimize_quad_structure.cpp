@@ -20,6 +20,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -74,6 +75,19 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
   }
 }
 
+// Sharp edges of a quad mesh are those of its quads, cut in two. Returns how many were taken for noise.
+template <typename SharpEdges>
+std::size_t detect_sharp_edges(const Mesh& qm, double sharp_angle, double edge_length, SharpEdges is_sharp)
+{
+  Mesh triangles = qm; // its vertices keep their numbers
+  PMP::triangulate_faces(triangles);
+  auto is_sharp_triangle_edge = triangles.add_property_map<Mesh::Edge_index, bool>("e:is_sharp_triangle_edge", false).first;
+  const QM::Feature_edges_result found = QM::detect_feature_edges(triangles, sharp_angle, edge_length, is_sharp_triangle_edge);
+  for(Mesh::Edge_index e : qm.edges())
+    is_sharp[e] = is_sharp_triangle_edge[triangles.edge(triangles.halfedge(qm.vertex(e, 0), qm.vertex(e, 1)))];
+  return found.number_of_dropped_edges;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -121,7 +135,7 @@ int main(int argc, char* argv[])
       mark_edges_on_reference(qm, tm, is_sharp_in_reference, is_sharp);
     }
     else
-      dropped = QM::detect_feature_edges(qm, sharp_angle, edge_length, is_sharp).number_of_dropped_edges;
+      dropped = detect_sharp_edges(qm, sharp_angle, edge_length, is_sharp);
 
     CGAL::Real_timer timer;
     timer.start();

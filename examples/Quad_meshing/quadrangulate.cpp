@@ -105,8 +105,10 @@ int main(int argc, char* argv[])
       ("sharp-angle", po::value<double>()->default_value(40),
        "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")
       ("align-boundary", po::value<std::string>()->default_value("on"), "on or off: make the boundary a chain of quad edges")
-      ("field", po::value<std::string>()->default_value("representation"),
+      ("field", po::value<std::string>()->default_value("polished"),
        "representation, greedy or polished: how the singularities of the cross field are found")
+      ("curvature-alignment", po::value<double>()->default_value(1),
+       "0 to 1: how much quads follow the directions in which the surface bends least")
       ("rounding", po::value<std::string>()->default_value("greedy"), "direct, greedy or lattice: how integers are found")
       ("optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")
       ("seed", po::value<unsigned int>()->default_value(0),
@@ -145,6 +147,7 @@ int main(int argc, char* argv[])
     q.options.target_number_of_quads = number_of_quads;
     q.options.sharpness_angle = sharp_angle;
     q.options.align_boundary = align_boundary;
+    q.options.curvature_alignment = args.number("curvature-alignment", 0, 1);
     q.options.cross_field_method = field;
     q.options.rounding_method = rounding;
     q.options.optimize_structure = args.has("optimize-structure");

@@ -6,11 +6,12 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// Minimizes 1/2 x'Ax - x'b over real and integer variables, with linear constraints, from Matrix Market files.
+// Minimizes 1/2 x'Ax - x'b over real and integer variables, with linear constraints, from Matrix Market or MPS files.
 
 #include "command_line.h"
 
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
+#include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
 #include <Eigen/SparseCore>
@@ -105,6 +106,19 @@ read_constraints(const std::string& matrix_file, const std::string& rhs_file, in
   return constraints;
 }
 
+QM::Mixed_integer_problem read_mps_file(const std::string& filename)
+{
+  std::ifstream in(filename);
+  if(!in)
+    throw command_line::Unusable_input(filename + ": cannot be opened");
+  QM::Mixed_integer_problem problem;
+  std::vector<std::string> names;
+  std::string message;
+  if(!QM::read_mps(in, problem, names, message))
+    throw command_line::Unusable_input(filename + ": " + message);
+  return problem;
+}
+
 QM::Mixed_integer_problem read_problem(const command_line::Arguments& args)
 {
   const auto file = [&](const std::string& option) { return args.value<std::string>(option); };
@@ -113,6 +127,8 @@ QM::Mixed_integer_problem read_problem(const command_line::Arguments& args)
     if(!args.has(option))
       throw command_line::Unusable_input("the option --" + option + " is missing" + with + " (see --help)");
   };
+  if(args.has("mps"))
+    return read_mps_file(file("mps"));
   demand("matrix", "");
   demand("rhs", "");
   const Matrix A = read_matrix(file("matrix"));
@@ -178,6 +194,7 @@ int solve(int argc, char* argv[])
   typedef std::string Text;
   po::options_description options("Options");
   options.add_options()
+    ("mps", po::value<Text>(), "a problem in the MPS format, linear or convex quadratic, instead of matrices")
     ("matrix", po::value<Text>(), "symmetric matrix A (Matrix Market)")
     ("rhs", po::value<Text>(), "vector b (Matrix Market)")
     ("integers", po::value<Text>(), "indices of the integer variables, from 0")
@@ -188,8 +205,16 @@ int solve(int argc, char* argv[])
     ("lower", po::value<Text>(), "lower bounds, a number or -inf per variable")
     ("upper", po::value<Text>(), "upper bounds, a number or inf per variable")
     ("method", po::value<Text>()->default_value("greedy"), method_list.c_str())
-    ("time-limit", po::value<double>()->default_value(1e9), "seconds that the search for integers may take")
+    ("time-limit", po::value<double>()->default_value(1e9), "seconds after which the best solution so far is taken")
     ("node-limit", po::value<double>()->default_value(3e7), "nodes or subproblems that the search may visit")
+    ("constraint-tolerance", po::value<double>()->default_value(1e-6),
+     "what counts as zero when constraints depend on each other")
+    ("rounding-tolerance", po::value<double>()->default_value(3e-4), "accuracy of the iterative levels of greedy rounding")
+    ("gauss-seidel", po::value<double>()->default_value(20000), "local steps per rounding, 0 for none")
+    ("conjugate-gradient", po::value<double>()->default_value(10), "steps of the conjugate gradient per rounding, 0 for none")
+    ("no-cholesky", po::bool_switch(), "no new factorization between the roundings")
+    ("dense-integers", po::value<double>()->default_value(1000),
+     "up to so many integers greedy rounding works with a dense complement")
     ("bound-rounds", po::value<double>()->default_value(0), "rounds that raise the lower bound of lattice rounding")
     ("gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")
     ("selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")
@@ -211,20 +236,24 @@ int solve(int argc, char* argv[])
   const double time_limit = args.number("time-limit", 0., 1e9), node_limit = args.number("node-limit", 0., 1e18);
   const int bound_rounds = static_cast<int>(args.number("bound-rounds", 0., 1e6));
   const double gap = args.number("gap", 0., 1.);
+  const double constraint_tolerance = args.number("constraint-tolerance", 0., 1.);
+  const double rounding_tolerance = args.number("rounding-tolerance", 0., 1.);
+  const int gauss_seidel = static_cast<int>(args.number("gauss-seidel", 0., 1e9));
+  const int conjugate_gradient = static_cast<int>(args.number("conjugate-gradient", 0., 1e9));
+  const int dense_integers = static_cast<int>(args.number("dense-integers", 0., 1e5));
+  const bool has_cholesky = !args.value<bool>("no-cholesky");
   for(const char* output : { "out", "json" })
     if(args.has(output))
       command_line::check_output(args.value<Text>(output));
   const QM::Mixed_integer_problem problem = read_problem(args);
 
   command_line::Progress_bar progress;
-  const QM::Mixed_integer_solution solution = QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method)
-                                                                                   .maximum_running_time(time_limit)
-                                                                                   .maximum_number_of_nodes(node_limit)
-                                                                                   .number_of_bound_rounds(bound_rounds)
-                                                                                   .relative_gap_tolerance(gap)
-                                                                                   .subproblem_selection(selection)
-                                                                                   .branching_rule(branching)
-                                                                                   .visitor(std::ref(progress)));
+  const QM::Mixed_integer_solution solution = QM::solve_mixed_integer(problem,
+    CGAL::parameters::rounding_method(method).maximum_running_time(time_limit).maximum_number_of_nodes(node_limit)
+      .number_of_bound_rounds(bound_rounds).relative_gap_tolerance(gap).subproblem_selection(selection)
+      .branching_rule(branching).constraint_tolerance(constraint_tolerance).rounding_tolerance(rounding_tolerance)
+      .gauss_seidel_iterations(gauss_seidel).conjugate_gradient_iterations(conjugate_gradient)
+      .allow_refactorization(has_cholesky).maximum_dense_integers(dense_integers).visitor(std::ref(progress)));
 
   std::cout.precision(12);
   std::cout << QM::status_name(solution.status) << ": " << solution.message << "\n"

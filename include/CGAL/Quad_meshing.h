@@ -25,6 +25,7 @@
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_indices.h>
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
@@ -52,6 +53,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
+#include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>

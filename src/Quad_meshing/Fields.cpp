@@ -9,6 +9,7 @@
 // The kernels of the room Fields.
 
 #include <CGAL/Quad_meshing/Fields/internal/curvature_guides_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/find_curvature_directions_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_feature_edges_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/inspect_field_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/solve_field_impl.h>

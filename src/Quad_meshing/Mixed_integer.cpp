@@ -9,3 +9,4 @@
 // The kernels of the room Mixed_integer.
 
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_energy_impl.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel_impl.h>

@@ -8,10 +8,16 @@
 
 #include "extraction_meshes.h"
 #include "quad_mesh_checks.h"
+#include "stage_checks.h"
+#include "test_cases.h"
 #include "test_meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/internal/surface_topology.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -89,6 +95,10 @@ void check_exact(const Coarse_mesh& coarse, const Options& o, bool simple = true
   assert(qf.index_sum() == 4 * qf.euler());
   assert(r.quads == qf.faces && r.vertices == qf.vertices && r.other_faces == 0);
   assert(r.irregular_vertices == qf.irregular_vertices());
+  std::size_t irregular_on_border = 0;
+  for(const auto& v : irregular(qf.border_valences, 3))
+    irregular_on_border += v.second;
+  assert(r.irregular_border_vertices == irregular_on_border);
   assert(r.same_topology && r.is_usable() == simple);
   assert(r.edges_cut_by_border == 0 && r.uncovered_area == 0 && r.cells_with_holes == 0 && r.removed_edges == 0 && r.split_vertices == 0);
   check_locations(m, qm, locations);
@@ -338,15 +348,13 @@ Result extract_without_unfolding(const Mapped_mesh& m, Mesh& qm)
   namespace internal = CGAL::Quad_meshing::internal;
   const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(
     m.mesh, m.mesh.points(), get(boost::vertex_index, m.mesh), get(boost::face_index, m.mesh));
-  internal::Grid_map map(mesh);
-  internal::copy_corners(m.mesh, m.uv, get(boost::face_index, m.mesh), map);
+  internal::Any_visitor visitor;
+  internal::Extracted_quads quads;
   Result r;
-  internal::Quad_extractor extractor(map, r, 0);
-  CGAL::Quad_meshing::Default_visitor visitor;
-  if(extractor.run(visitor))
-    extractor.write(qm, [&](const internal::Grid_location& l)
+  if(internal::extract_quads(mesh, internal::copy_corners(m.mesh, m.uv, get(boost::face_index, m.mesh)), visitor, quads, r, 0))
+    internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm, [&](std::size_t i)
     {
-      const auto p = internal::position(mesh, l);
+      const auto p = internal::position(mesh, quads.vertices[i]);
       return qm.add_vertex(Point_3(p.x(), p.y(), p.z()));
     });
   return r;
@@ -585,28 +593,19 @@ void test_garbage()
   assert(check(empty, "empty") == Status::FAILED);
 }
 
-struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
-{
-  int calls = 0, allowed;
-  double last = 0;
-  explicit Stopping_visitor(int n) : allowed(n) {}
-  void progress(double p) { assert(p >= last && p <= 1); last = p; }
-  bool go_further() { return ++calls <= allowed; }
-};
-
 void test_interface()
 {
   Options o;
   o.k = 4;
   const Mapped_mesh m = triangulated(coarse_cube(), o);
-  for(int n = 0; n < 10; ++n)
+  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
   {
     Mesh qm;
-    Stopping_visitor visitor(n);
     const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::visitor(std::ref(visitor)));
-    assert((r.status == Status::STOPPED) == (visitor.calls > n));
+    assert(r.is_valid() || r.status == Status::STOPPED);
     assert(qm.is_empty() == (r.status == Status::STOPPED));
-  }
+    return r.is_valid();
+  });
 
   // Into a polyhedron, and from one; the second copy is added to the first.
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
@@ -628,19 +627,100 @@ void test_interface()
   assert(qm.number_of_faces() == 96 && qm.is_valid());
 }
 
-int main()
+// A mesh in which two border loops touch gives what it gives when the vertex is split before.
+void test_pinched_vertices()
 {
-  test_exact_maps();
-  test_small_valences();
-  test_unaligned_borders();
-  test_cells_with_holes();
-  test_perturbation();
-  test_inexact_maps();
-  test_fold_overs();
-  test_fold_overs_at_singular_vertices();
-  test_collapsed_arcs();
-  test_garbage();
-  test_interface();
-  std::cout << "test_extraction: done" << std::endl;
-  return 0;
+  Options o;
+  o.k = 6; o.inner_points = 60; o.edge_points = 3;
+  const Mapped_mesh whole = triangulated(coarse_cube(), o);
+  int pinched = 0, on_grid = 0;
+  for(Mesh::Vertex_index v : whole.mesh.vertices())
+  {
+    Mapped_mesh m = whole;
+    m.uv = m.mesh.property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+    const auto around = std::vector<Mesh::Halfedge_index>(m.mesh.halfedges_around_target(m.mesh.halfedge(v)).begin(),
+                                                          m.mesh.halfedges_around_target(m.mesh.halfedge(v)).end());
+    if(around.size() < 4)
+      continue;
+    const Point_2 image = m.uv[around[0]];
+    CGAL::Euler::remove_face(around[0], m.mesh);
+    CGAL::Euler::remove_face(around[2], m.mesh);
+    Mesh qm, split_qm;
+    const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm);
+    CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(m.mesh);
+    const Result split = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, split_qm);
+    assert(r.status == split.status && r.quads == split.quads && r.vertices == split.vertices);
+    assert(r.same_topology == split.same_topology && r.message == split.message);
+    assert(figures(qm).is_valid() && r.quads >= 6 * 36 - 10 && r.quads < 6 * 36);
+    ++pinched;
+    on_grid += image.x() == std::floor(image.x()) && image.y() == std::floor(image.y());
+    if(pinched > 60 && on_grid > 0)
+      break;
+  }
+  assert(pinched > 20 && on_grid > 0);
+}
+
+// Feature edges come through from the triangle mesh to the quad mesh: those of a cube are its twelve edges.
+void test_feature_edges()
+{
+  for(int k : { 1, 3, 5 })
+  {
+    Options o;
+    o.k = k; o.inner_points = 30; o.edge_points = 4;
+    Mapped_mesh m = triangulated(coarse_cube(), o);
+    auto is_feature = m.mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+    CGAL::Polygon_mesh_processing::detect_sharp_edges(m.mesh, 60, is_feature);
+    Mesh qm;
+    Location_map location = qm.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
+    assert(CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::face_location_map(location)).is_valid());
+    auto is_quad_feature = qm.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
+    assert(CGAL::Quad_meshing::transfer_feature_edges(m.mesh, is_feature, qm, location, is_quad_feature) == std::size_t(12 * k));
+    auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+    CGAL::Polygon_mesh_processing::detect_sharp_edges(qm, 60, is_sharp);
+    for(Mesh::Edge_index e : qm.edges())
+      assert(is_quad_feature[e] == is_sharp[e]);
+    for(Mesh::Edge_index e : m.mesh.edges())
+      is_feature[e] = false;
+    assert(CGAL::Quad_meshing::transfer_feature_edges(m.mesh, is_feature, qm, location, is_quad_feature) == 0);
+    for(Mesh::Edge_index e : qm.edges())
+      assert(!is_quad_feature[e]);
+  }
+}
+
+// Two surfaces are told apart by each of what counts, and by the components that have it.
+void test_topology()
+{
+  using CGAL::Quad_meshing::internal::surface_topology;
+  const auto of = [](const test_meshes::Soup& s) { return surface_topology(test_meshes::make_mesh(s)); };
+  const auto sphere = of(test_meshes::icosphere(1)), torus = of(test_meshes::torus(8, 6)), disk = of(test_meshes::grid(3, 3));
+  assert(sphere.size() == 1 && sphere[0].euler_number == 2 && sphere[0].border_loops == 0);
+  assert(torus.size() == 1 && torus[0].euler_number == 0 && torus[0].border_loops == 0);
+  assert(disk.size() == 1 && disk[0].euler_number == 1 && disk[0].border_loops == 1);
+  const auto ring = of(test_meshes::cylinder(8, 3, false));
+  assert(ring[0].euler_number == 0 && ring[0].border_loops == 2);
+  // The same sums, distributed over the components in another way.
+  const auto far_off = [](const test_meshes::Soup& s) { return test_meshes::translated(s, test_meshes::Vector_3(9, 0, 0)); };
+  const auto a = of(test_meshes::joined(test_meshes::icosphere(1), far_off(test_meshes::double_ring(1))));
+  const auto b = of(test_meshes::joined(test_meshes::torus(8, 6), far_off(test_meshes::torus(8, 6))));
+  assert(a.size() == 2 && b.size() == 2 && a[0].euler_number + a[1].euler_number == b[0].euler_number + b[1].euler_number && a != b);
+}
+
+int main(int argc, char** argv)
+{
+  return run_cases(argc, argv, {
+    { "exact_maps", test_exact_maps },
+    { "small_valences", test_small_valences },
+    { "unaligned_borders", test_unaligned_borders },
+    { "cells_with_holes", test_cells_with_holes },
+    { "perturbation", test_perturbation },
+    { "inexact_maps", test_inexact_maps },
+    { "fold_overs", test_fold_overs },
+    { "fold_overs_at_singular_vertices", test_fold_overs_at_singular_vertices },
+    { "collapsed_arcs", test_collapsed_arcs },
+    { "garbage", test_garbage },
+    { "interface", test_interface },
+    { "pinched_vertices", test_pinched_vertices },
+    { "feature_edges", test_feature_edges },
+    { "topology", test_topology }
+  });
 }

@@ -9,11 +9,13 @@
 // Cross fields: identities, known fields, brute force on small meshes, invariances.
 
 #include "fields_checks.h"
+#include "stage_checks.h"
 #include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Fields/Cross_field_sectors.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/cross_field_indices.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_solver.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -507,6 +509,7 @@ int count_close_pairs(const Field& f, double d)
 
 void test_close_pairs()
 {
+  stage_checks::Silent_progress silent;
   namespace I = CGAL::Quad_meshing::internal;
   std::cout << "close pairs" << std::endl;
   {
@@ -519,7 +522,7 @@ void test_close_pairs()
     I::Field_problem problem(m);
     problem.find_components();
     problem.sectors = I::make_field_sectors(m, problem.aligned);
-    const I::Dual_laplacian laplacian(problem);
+    const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
     I::Any_visitor visitor;
     Result result;
@@ -551,7 +554,7 @@ void test_close_pairs()
         {
           I::Cross_field merged = spoilt;
           I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
-          I::merge_close_pairs(problem, laplacian, reach, quads, merged);
+          I::merge_close_pairs(problem, laplacian, reach, quads, merged, silent.progress);
           if(reach < straight)
             assert(merged.period_jump == spoilt.period_jump && merged.angle == spoilt.angle);
           else
@@ -575,9 +578,9 @@ void test_close_pairs()
     problem.constrain_faces_to_aligned_edges();
     problem.find_components();
     problem.sectors = I::make_field_sectors(m, problem.aligned);
-    const I::Dual_laplacian laplacian(problem);
+    const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
-    assert(I::Representation_field(problem, m.number_of_faces(), true)(field.angle));
+    assert(I::Representation_field(problem, m.number_of_faces(), true, silent.progress)(field.angle));
     I::round_jumps(problem, field);
     laplacian.solve_angles(field);
     std::vector<char> on_border(m.number_of_vertices(), 0);
@@ -599,7 +602,7 @@ void test_close_pairs()
         laplacian.solve_angles(merged);
         assert(I::field_indices(problem, merged) != I::field_indices(problem, field));
         I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
-        I::merge_close_pairs(problem, laplacian, 0.2, quads, merged);
+        I::merge_close_pairs(problem, laplacian, 0.2, quads, merged, silent.progress);
         assert(I::field_indices(problem, merged) == I::field_indices(problem, field));
         assert(std::abs(problem.energy(merged) - problem.energy(field)) < 1e-9);
       }
@@ -664,13 +667,13 @@ void test_annihilation()
   I::Field_problem problem(m);
   problem.find_components();
   problem.sectors = I::make_field_sectors(m, problem.aligned);
-  I::Dual_laplacian laplacian(problem);
+  stage_checks::Silent_progress silent;
+  I::Dual_laplacian laplacian(problem, silent.progress);
   I::Cross_field field;
   I::Any_visitor visitor;
   Result result;
   assert(I::solve_field(problem, I::Field_options(), visitor, field, result) == Status::SUCCESS);
   const std::vector<double> no_costs(m.number_of_vertices(), 0.);
-  const auto go_further = [] { return true; };
   for(int steps : { 2, 7, 10 })
   {
     // The pair and the path between them.
@@ -689,10 +692,11 @@ void test_annihilation()
     {
       const I::Sector_quads quads(problem, field, no_costs, 0.);
       I::Jump_candidates candidates(problem, laplacian);
-      candidates.update(field, quads);
+      candidates.update(field, quads, silent.progress);
       const double foreseen = candidates.change_path(path, field), change = problem.energy(spoilt) - problem.energy(field);
-      assert(change > 0.1 && std::abs(foreseen - change) < 0.05 * change);
-      candidates.update(spoilt, quads);
+      // What half columns neglect adds up along the path: to 5.2 % of the change for ten edges with the order of CHOLMOD.
+      assert(change > 0.1 && std::abs(foreseen - change) < 0.08 * change);
+      candidates.update(spoilt, quads, silent.progress);
       const double residual = candidates[0].residual, self = candidates.energy_change(0, 1);
       I::Cross_field changed = spoilt;
       changed.period_jump[candidates[0].edge] += 1;
@@ -703,8 +707,8 @@ void test_annihilation()
       assert(std::abs(problem.energy(changed) - problem.energy(spoilt) - self) < 1e-2);
     }
     I::Sector_quads quads(problem, spoilt, no_costs, 0.);
-    I::Jump_polish polish(problem, laplacian);
-    const double energy = polish.annihilate(spoilt, quads, 4, go_further);
+    I::Jump_polish polish(problem, laplacian, silent.progress);
+    const double energy = polish.annihilate(spoilt, quads, 4);
     assert(I::field_indices(problem, spoilt) == std::vector<int>(m.number_of_vertices(), 0));
     assert(std::abs(problem.energy(spoilt) - energy) < 1e-9 && std::abs(energy - problem.energy(field)) < 1e-9);
   }
@@ -714,6 +718,7 @@ void test_annihilation()
 // given directions, several components.
 void test_sector_potentials()
 {
+  stage_checks::Silent_progress silent;
   namespace I = CGAL::Quad_meshing::internal;
   std::cout << "sector potentials" << std::endl;
   struct Case { Soup soup; bool is_aligned; int every; }; // of the faces, every so many-th is given
@@ -734,7 +739,7 @@ void test_sector_potentials()
       problem.constrained[f] = 1;
     problem.find_components();
     problem.sectors = I::make_field_sectors(m, problem.aligned);
-    const I::Dual_laplacian laplacian(problem);
+    const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Sector_potentials potentials(problem, laplacian);
     assert(potentials.is_small() && potentials.compute());
     for(int i = 0; i < potentials.number_of_edges(); ++i)
@@ -754,6 +759,7 @@ void test_sector_potentials()
 // On small meshes the search ends at about the same energy whatever the order of the faces is, far below greedy rounding.
 void test_small_meshes()
 {
+  stage_checks::Silent_progress silent;
   std::cout << "small meshes" << std::endl;
   for(const Soup& shape : { perturbed(icosphere(3), 0.07), perturbed(torus(28, 14), 0.05), perturbed(double_ring(3), 0.07) })
   {
@@ -788,7 +794,7 @@ void test_small_meshes()
   I::Field_problem problem(m);
   problem.find_components();
   problem.sectors = I::make_field_sectors(m, problem.aligned);
-  const I::Dual_laplacian laplacian(problem);
+  const I::Dual_laplacian laplacian(problem, silent.progress);
   I::Cross_field field;
   field.angle.assign(m.number_of_faces(), 0.);
   I::round_jumps(problem, field);
@@ -799,7 +805,7 @@ void test_small_meshes()
   {
     const double energy = problem.energy(field);
     I::Jump_annealing anneal(problem, laplacian);
-    assert(anneal.is_affordable() && anneal(field, quads, [] { return true; }));
+    assert(anneal.is_affordable() && anneal(field, quads, silent.progress));
     assert(problem.energy(field) < (i == 0 ? 0.5 * energy : energy + 1e-9));
     assert(quads.state() == I::Sector_quads(problem, field, no_costs, 0.).state());
   }
@@ -925,7 +931,154 @@ void test_input()
     }
   }
   for(int s = 0; s <= static_cast<int>(Status::NUMERICAL_FAILURE); ++s)
-    assert(!get_message(static_cast<Status>(s)).empty());
+    assert(*status_name(static_cast<Status>(s)) != 0);
+}
+
+// A vertex with two fans of faces is named, and nothing is written.
+void test_pinched_vertices()
+{
+  {
+    Field f(icosphere(2));
+    const Vertex v = stage_checks::pinch(f.tm);
+    f.angle[*f.tm.faces().begin()] = 17;
+    const Result r = compute(f);
+    assert(r.status == Status::NON_MANIFOLD_VERTEX && f.angle[*f.tm.faces().begin()] == 17);
+    assert(r.message.find("vertex " + std::to_string(v) + " ") != std::string::npos);
+    const auto report = CGAL::Quad_meshing::cross_field_indices(f.tm, f.angle, f.jump, f.index);
+    assert(report.status == CGAL::Quad_meshing::Cross_field_report_status::NON_MANIFOLD_VERTEX);
+  }
+  {
+    typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+    Polyhedron p = make_mesh<Polyhedron>(icosphere(2));
+    stage_checks::pinch(p);
+    auto angle = get(CGAL::dynamic_face_property_t<double>(), p);
+    auto jump = get(CGAL::dynamic_edge_property_t<int>(), p);
+    auto index = get(CGAL::dynamic_vertex_property_t<int>(), p);
+    assert(CGAL::Quad_meshing::smooth_cross_field(p, angle, jump, index).status == Status::NON_MANIFOLD_VERTEX);
+  }
+  {
+    // One hole after the other is manifold.
+    Field f(icosphere(2));
+    CGAL::Euler::remove_face(f.tm.halfedge(Face(0)), f.tm);
+    assert(compute(f).is_valid());
+  }
+  {
+    // All fans of a vertex get a vertex of their own.
+    namespace I = CGAL::Quad_meshing::internal;
+    Mesh tm = make_mesh(icosphere(2));
+    stage_checks::pinch(tm);
+    I::Indexed_triangle_mesh m = I::make_indexed_triangle_mesh(tm, params::default_values());
+    const int n = m.number_of_vertices();
+    assert(m.non_manifold_vertex == 0);
+    I::split_non_manifold_vertices(m);
+    assert(m.number_of_vertices() == n + 1 && m.points[n] == m.points[0] && I::find_non_manifold_vertex(m) == -1);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      assert(m.opposite[h] == -1 || (m.source(h) == m.target(m.opposite[h]) && m.target(h) == m.source(m.opposite[h])));
+    for(int v = 0; v <= n; ++v)
+      assert(m.source(m.halfedge_of_vertex[v % (n + 1)]) == v % (n + 1));
+  }
+}
+
+// What a hand does to a field is found out, and indices follow angles and jumps.
+void test_edited_fields()
+{
+  namespace QM = CGAL::Quad_meshing;
+  typedef QM::Cross_field_report_status Report;
+  const auto with_features = [](const Field& f) { return params::edge_is_constrained_map(f.feature); };
+  const auto check_field = [&](Field& f) { return QM::check_cross_field(f.tm, f.angle, f.jump, f.index, with_features(f)); };
+  const auto new_indices = [&](Field& f) { return QM::cross_field_indices(f.tm, f.angle, f.jump, f.index, with_features(f)); };
+  for(const Soup& s : { cube(4), l_prism(3), grid(6, 5), torus(20, 10), square_ring(2), cylinder(16, 6, false) })
+  {
+    Field f(s);
+    mark_sharp_edges(f, 60);
+    assert(compute(f).is_valid());
+    auto r = check_field(f);
+    assert(r.is_valid() && r.index_sum == r.expected_index_sum && r.index_sum == 4 * euler_number(f.tm));
+    const auto before = std::vector<int>(f.index.begin(), f.index.end());
+    for(Vertex v : f.tm.vertices())
+      f.index[v] = 99;
+    assert(new_indices(f).is_valid() && before == std::vector<int>(f.index.begin(), f.index.end()));
+
+    // A cross may be turned by a right angle, if the jumps around it are changed likewise.
+    const Face turned = *f.tm.faces().begin();
+    f.angle[turned] += pi / 2;
+    for(Halfedge h : f.tm.halfedges_around_face(f.tm.halfedge(turned)))
+      if(!f.tm.is_border(f.tm.edge(h)))
+        f.jump[f.tm.edge(h)] += h == f.tm.halfedge(f.tm.edge(h)) ? -1 : 1;
+    assert(check_field(f).is_valid());
+
+    // An index alone.
+    f.index[Vertex(1)] += 1;
+    r = check_field(f);
+    assert(r.status == Report::WRONG_INDEX && r.vertices_with_wrong_index == std::vector<Vertex>(1, Vertex(1)));
+    assert(r.index_sum == r.expected_index_sum + 1 && r.message.find(std::to_string(r.expected_index_sum)) != std::string::npos);
+    f.index[Vertex(1)] -= 1;
+
+    // A jump: its edge moves a quad from one end to the other.
+    for(Edge e : f.tm.edges())
+      if(!f.tm.is_border(e) && !f.feature[e])
+      {
+        f.jump[e] += 1;
+        r = check_field(f);
+        assert(!r.is_valid() && r.vertices_with_wrong_index.size() == 2);
+        for(Vertex v : r.vertices_with_wrong_index)
+          assert(v == f.tm.vertex(e, 0) || v == f.tm.vertex(e, 1));
+        r = new_indices(f);
+        assert(r.vertices_with_wrong_index.empty() && r.index_sum == 4 * euler_number(f.tm));
+        // The source of the halfedge of the edge has lost a quad, so its index has grown.
+        const Vertex from = f.tm.source(f.tm.halfedge(e)), to = f.tm.target(f.tm.halfedge(e));
+        assert(f.index[from] == before[from] + 1 && f.index[to] == before[to] - 1);
+        // Three more take the last one from any regular vertex, or from a sector at a crease.
+        f.jump[e] += 3;
+        r = new_indices(f);
+        assert(r.status == Report::EMPTY_SECTOR);
+        assert(std::count(r.vertices_without_quads.begin(), r.vertices_without_quads.end(), from) == 1);
+        f.jump[e] -= 4;
+        break;
+      }
+    assert(new_indices(f).is_valid());
+
+    for(Edge e : f.tm.edges())
+      if(f.feature[e])
+      {
+        f.jump[e] -= 1;
+        r = check_field(f);
+        assert(r.status == Report::WRONG_JUMP && r.edges_with_wrong_jump == std::vector<Edge>(1, e));
+        f.jump[e] += 1;
+        f.angle[f.tm.face(f.tm.halfedge(e))] += 0.3;
+        r = check_field(f);
+        assert(r.status == Report::MISALIGNED_EDGE);
+        assert(std::count(r.misaligned_edges.begin(), r.misaligned_edges.end(), e) == 1);
+        f.angle[f.tm.face(f.tm.halfedge(e))] -= 0.3;
+        break;
+      }
+    f.angle[turned] = std::numeric_limits<double>::infinity();
+    r = new_indices(f);
+    assert(r.status == Report::ANGLE_NOT_FINITE && r.faces_not_finite == std::vector<Face>(1, turned));
+  }
+  for(int s = 0; s <= static_cast<int>(Report::EMPTY_SECTOR); ++s)
+    assert(*status_name(static_cast<Report>(s)) != 0);
+}
+
+// Wherever the visitor says stop, the call ends and nothing is written.
+void test_stops()
+{
+  for(Method method : { Method::POLISHED, Method::GREEDY, Method::REPRESENTATION })
+    for(double length : { 0., 0.3 })
+      stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
+      {
+        Field f(shaken(cube(10), 0.01));
+        mark_sharp_edges(f, 60);
+        for(Face face : f.tm.faces())
+          f.angle[face] = 17;
+        const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
+          params::cross_field_method(method).edge_is_constrained_map(f.feature).target_edge_length(length)
+            .visitor(std::ref(visitor)));
+        assert(r.status == Status::STOPPED || r.is_valid());
+        for(Face face : f.tm.faces())
+          assert((f.angle[face] == 17) == (r.status == Status::STOPPED));
+        return r.is_valid();
+      });
 }
 
 void test_real_meshes()
@@ -972,6 +1125,9 @@ int main(int argc, char** argv)
     { "small_meshes", test_small_meshes },
     { "surface_weights", test_surface_weights },
     { "input", test_input },
+    { "pinched_vertices", test_pinched_vertices },
+    { "edited_fields", test_edited_fields },
+    { "stops", test_stops },
     { "real_meshes", test_real_meshes }
   });
 }

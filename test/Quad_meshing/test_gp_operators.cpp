@@ -17,6 +17,10 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The sparse Cholesky factorization against products with the matrix and dense solutions, real and complex, with the default solver
-// and with one of the user.
+// The sparse Cholesky factorization against products with the matrix and dense solutions, real and complex, with the
+// default solver and with one of the user.
 
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
@@ -98,6 +98,8 @@ void check_factorization(QM::Sparse_cholesky<Number> solver, bool has_factor)
   Matrix A = definite_matrix<Number>(n);
   const Matrix B = sparse_columns<Number>(n, m);
 
+  solver.analyze(A);
+  const double entries = solver.number_of_entries();
   assert(solver.compute(A) && solver.is_ok() && solver.size() == n && solver.number_of_factorizations() == 1);
   const Dense_matrix X = solver.solve(Dense_matrix(B));
   assert((A * X - Dense_matrix(B)).cwiseAbs().maxCoeff() < 1e-12);
@@ -113,6 +115,7 @@ void check_factorization(QM::Sparse_cholesky<Number> solver, bool has_factor)
   assert((factor != nullptr) == has_factor);
   if(factor)
   {
+    assert(entries >= n && entries <= factor->value.size());
     Dense_matrix L = Dense_matrix::Zero(n, n), permuted(n, n);
     for(int j = 0; j < n; ++j)
     {

@@ -9,8 +9,11 @@
 // Mixed-integer problems against brute force, and methods against each other.
 
 #include "mixed_integer_grids.h"
+#include "test_cases.h"
 
 #include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_bound.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_enumeration.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
@@ -1015,53 +1018,34 @@ void test_matrix_market()
   }
 }
 
-struct Stopping_visitor : QM::Default_visitor
+// Every case has the same random numbers, whichever cases are run.
+template <typename Test>
+Test_case with_random_numbers(const char* name, const Test& test)
 {
-  int calls = 0;
-  bool go_further() { return ++calls < 3; }
-};
-
-void test_visitor(CGAL::Random& random)
-{
-  const Problem problem = grid_problem(random, 10, 30);
-  Stopping_visitor visitor;
-  const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)
-    .visitor(std::ref(visitor)));
-  assert(s.status == QM::Mixed_integer_status::LIMIT_REACHED && s.x.size() == 0);
+  return { name, [test]()
+  {
+    CGAL::Random random(7);
+    test(random);
+  } };
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  CGAL::Random random(7);
-  std::cout << "random seed " << random.get_seed() << std::endl;
-  std::cout << "elimination" << std::endl;
-  test_elimination();
-  std::cout << "Matrix Market" << std::endl;
-  test_matrix_market();
-  std::cout << "special cases" << std::endl;
-  test_special_cases();
-  test_flat_problems();
-  test_fractional_inequalities();
-  std::cout << "brute force" << std::endl;
-  test_against_brute_force(random);
-  std::cout << "linear programs" << std::endl;
-  test_linear_programs(random);
-  std::cout << "inequalities" << std::endl;
-  test_inequalities(random);
-  std::cout << "greedy levels" << std::endl;
-  test_greedy_levels(random);
-  test_leaves(random);
-  std::cout << "many integers" << std::endl;
-  test_lattice_of_many_integers(random);
-  std::cout << "bounds" << std::endl;
-  test_lattice_bounds(random);
-  test_relaxed_bounds(random);
-  std::cout << "energy of integers" << std::endl;
-  test_integer_energy(random);
-  std::cout << "other linear solver" << std::endl;
-  test_other_linear_solver(random);
-  std::cout << "visitor" << std::endl;
-  test_visitor(random);
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+  return run_cases(argc, argv, {
+    { "elimination", test_elimination },
+    { "matrix_market", test_matrix_market },
+    { "special_cases", test_special_cases },
+    { "flat_problems", test_flat_problems },
+    { "fractional_inequalities", test_fractional_inequalities },
+    with_random_numbers("against_brute_force", test_against_brute_force),
+    with_random_numbers("linear_programs", test_linear_programs),
+    with_random_numbers("inequalities", test_inequalities),
+    with_random_numbers("greedy_levels", test_greedy_levels),
+    with_random_numbers("leaves", test_leaves),
+    with_random_numbers("lattice_of_many_integers", test_lattice_of_many_integers),
+    with_random_numbers("lattice_bounds", test_lattice_bounds),
+    with_random_numbers("relaxed_bounds", test_relaxed_bounds),
+    with_random_numbers("integer_energy", test_integer_energy),
+    with_random_numbers("other_linear_solver", test_other_linear_solver),
+  });
 }

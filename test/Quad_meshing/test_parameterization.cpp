@@ -10,6 +10,8 @@
 // integer-grid maps and their exact check.
 
 #undef NDEBUG
+#include "stage_checks.h"
+#include "test_cases.h"
 #include "test_meshes.h"
 
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
@@ -20,8 +22,12 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Cut_graph.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_relations.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
+#include <CGAL/Quad_meshing/internal/Regularized_determinant.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
 
 #include <cassert>
@@ -30,6 +36,8 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace QM = CGAL::Quad_meshing;
@@ -351,7 +359,6 @@ void test_maps()
     assert(lattice.result.energy <= greedy.result.energy + 1e-9 * std::abs(greedy.result.energy));
 }
 
-// Each condition is broken alone, and the check names the simplex.
 // As many threads as wanted: the same map, to the last bit.
 void test_threads()
 {
@@ -372,6 +379,7 @@ void test_threads()
   assert(calls == std::vector<int>(5000, 4));
 }
 
+// Each condition is broken alone, and the check names the simplex.
 void test_check()
 {
   const Mapped good = map_of(test_meshes::cube(6), 0.2, QM::Rounding_method::GREEDY, "cube");
@@ -458,10 +466,11 @@ void test_separated_rounding()
       if(all_hold(z))
         least = (std::min)(least, energy(z));
     }
+    stage_checks::Silent_progress silent;
     QM::internal::Separated_rounding rounding(S, c, number);
     rounding.add(separations);
     z.setZero();
-    const int broken = rounding.improve(z);
+    const int broken = rounding.improve(z, silent.progress);
     assert((broken == 0) == all_hold(z));
     for(int i = 0; i < n; ++i)
       assert(z[i] == std::round(z[i]));
@@ -488,11 +497,12 @@ void test_carrying()
   for(Mesh::Vertex_index v : m.tm.vertices())
     quarters.push_back(4 - m.index[v]);
   const std::vector<bool> is_aligned(mesh.number_of_edges(), false);
+  stage_checks::Silent_progress silent;
   QM::internal::Integer_grid_solver solver(mesh, angle, jump, quarters, is_aligned,
-                                           std::vector<double>(mesh.number_of_faces(), 0.15));
+                                           std::vector<double>(mesh.number_of_faces(), 0.15), 1, silent.progress);
   assert(solver.solve_seamless(1, 5) && solver.number_of_integers() > 0);
   const QM::internal::Vertex_sectors sectors(solver.coordinates, quarters, is_aligned);
-  QM::internal::Map_optimization optimization(solver.coordinates, solver.faces, sectors);
+  QM::internal::Map_optimization optimization(solver.coordinates, solver.faces, sectors, silent.progress);
   assert(optimization.folded_faces(solver.relaxed).empty());
 
   int folding = 0;
@@ -519,22 +529,350 @@ void test_bad_input()
   auto jump = tm.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
   auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
   auto uv = tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  typedef QM::Integer_grid_map_result Result;
+  typedef QM::Integer_grid_map_status Status;
   for(double length : { 0., -1., std::nan("") })
-    assert(QM::integer_grid_map(tm, angle, jump, index, uv, parameters::target_edge_length(length)).status == Result::INVALID_LENGTH);
+    assert(QM::integer_grid_map(tm, angle, jump, index, uv, parameters::target_edge_length(length)).status ==
+           Status::INVALID_LENGTH);
+  angle[Mesh::Face_index(3)] = std::nan("");
+  assert(QM::integer_grid_map(tm, angle, jump, index, uv).status == Status::VALUE_NOT_FINITE);
+  angle[Mesh::Face_index(3)] = 0;
+  tm.point(Mesh::Vertex_index(2)) = Kernel::Point_3(0, std::nan(""), 0);
+  const auto r = QM::integer_grid_map(tm, angle, jump, index, uv);
+  assert(r.status == Status::VALUE_NOT_FINITE && r.message.find("ertex 2 ") != std::string::npos);
+  for(int s = 0; s <= static_cast<int>(Status::STOPPED); ++s)
+    assert(*status_name(static_cast<Status>(s)) != 0);
   Mesh empty;
   auto a = empty.add_property_map<Mesh::Face_index, double>("f:a", 0).first;
   auto j = empty.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
   auto i = empty.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
   auto u = empty.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  assert(QM::integer_grid_map(empty, a, j, i, u).status == Result::EMPTY_MESH);
+  assert(QM::integer_grid_map(empty, a, j, i, u).status == Status::EMPTY_MESH);
 }
 
-} // namespace
-
-int main()
+// A vertex with two fans of faces is named, and nothing is written; splitting does right.
+void test_pinched_vertices()
 {
-  test_integer_relations();
+  typedef QM::Integer_grid_map_status Status;
+  Mapped m = map_of(test_meshes::icosphere(3), 0.3, QM::Rounding_method::GREEDY, "sphere");
+  const auto v = stage_checks::pinch(m.tm);
+  const std::vector<Kernel::Point_2> before(m.uv.begin(), m.uv.end());
+  const auto r = QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv, parameters::target_edge_length(0.3));
+  assert(r.status == Status::NON_MANIFOLD_VERTEX && r.message.find("vertex " + std::to_string(v) + " ") != std::string::npos);
+  assert(before == std::vector<Kernel::Point_2>(m.uv.begin(), m.uv.end()));
+  // The map is still right everywhere else, and the check of it looks at every fan.
+  assert(QM::is_integer_grid_map(m.tm, m.uv, parameters::align_boundary(false)));
+  auto origin = m.tm.add_property_map<Mesh::Face_index, int>("f:o2", 0).first;
+  QM::split_for_alignment(m.tm, m.tm.points(), m.is_feature, true, origin, 0.1);
+  assert(m.tm.is_valid() && CGAL::is_triangle_mesh(m.tm));
+  for(Mesh::Edge_index e : m.tm.edges())
+    assert(CGAL::squared_distance(m.tm.point(m.tm.vertex(e, 0)), m.tm.point(m.tm.vertex(e, 1))) < 0.01 + 1e-9);
+
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  Polyhedron p = test_meshes::make_mesh<Polyhedron>(test_meshes::icosphere(2));
+  stage_checks::pinch(p);
+  auto angle = get(CGAL::dynamic_face_property_t<double>(), p);
+  auto jump = get(CGAL::dynamic_edge_property_t<int>(), p);
+  auto index = get(CGAL::dynamic_vertex_property_t<int>(), p);
+  auto uv = get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), p);
+  assert(QM::integer_grid_map(p, angle, jump, index, uv).status == Status::NON_MANIFOLD_VERTEX);
+}
+
+// The energy of a function of two by two Jacobians, its gradient and its Hessian against central differences.
+void test_distortion()
+{
+  typedef QM::internal::Regularized_distortion Distortion;
+  CGAL::Random random(3);
+  const double h = 1e-5;
+  auto jacobian = [](const Distortion::Vector_4& a)
+  {
+    Eigen::Matrix2d J;
+    J << a[0], a[1], a[2], a[3];
+    return J;
+  };
+  int folded = 0;
+  for(int trial = 0; trial < 300; ++trial)
+  {
+    Distortion d;
+    d.epsilon = trial % 3 == 0 ? 0 : random.get_double(0.1, 1);
+    d.area_weight = random.get_double(0, 1);
+    d.alignment_weight = random.get_double(0, 1);
+    Distortion::Vector_4 a;
+    for(int i = 0; i < 4; ++i)
+      a[i] = (i % 3 == 0) + random.get_double(-1.5, 1.5);
+    const double D = jacobian(a).determinant();
+    if(d.epsilon == 0 && D < 0.3)
+    {
+      assert(D > 0 || std::isinf(d.value(jacobian(a))));
+      continue;
+    }
+    folded += D < 0;
+    Distortion::Vector_4 g, unused_g;
+    Distortion::Matrix_4 H, unused_H, differences;
+    d.derivatives(jacobian(a), g, H);
+    for(int i = 0; i < 4; ++i)
+    {
+      Distortion::Vector_4 forth = a, back = a, g_forth, g_back;
+      forth[i] += h;
+      back[i] -= h;
+      const double slope = (d.value(jacobian(forth)) - d.value(jacobian(back))) / (2 * h);
+      assert(std::abs(slope - g[i]) < 1e-6 * (1 + g.norm()));
+      d.derivatives(jacobian(forth), g_forth, unused_H);
+      d.derivatives(jacobian(back), g_back, unused_H);
+      differences.col(i) = (g_forth - g_back) / (2 * h);
+    }
+    // Without the alignment, the Hessian is the true one with its negative eigenvalues set to zero.
+    const Distortion::Matrix_4 true_H = differences - d.alignment_weight * Distortion::Matrix_4::Identity();
+    const Eigen::SelfAdjointEigenSolver<Distortion::Matrix_4> eigen(0.5 * (true_H + true_H.transpose()));
+    const Distortion::Matrix_4 expected =
+      eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).asDiagonal() * eigen.eigenvectors().transpose();
+    assert((H - d.alignment_weight * Distortion::Matrix_4::Identity() - expected).norm() < 1e-4 * (1 + true_H.norm()));
+  }
+  assert(folded > 30);
+  // The identity has the least distortion, two: one for the angles and one for the area.
+  Distortion d;
+  Distortion::Vector_4 g;
+  Distortion::Matrix_4 H;
+  d.derivatives(Eigen::Matrix2d::Identity(), g, H);
+  assert(g.norm() < 1e-12 && std::abs(d.value(Eigen::Matrix2d::Identity()) - 1 - d.area_weight) < 1e-12);
+
+  for(double epsilon : { 0., 0.01, 1. })
+  {
+    const QM::internal::Regularized_determinant chi{ epsilon };
+    for(double D : { -3., -0.2, 0.2, 3. })
+    {
+      if(epsilon == 0 && D < 0)
+        continue;
+      assert(chi.value(D) > 0 && std::abs(chi.value(D) - (D + std::sqrt(D * D + epsilon * epsilon)) / 2) < 1e-9);
+      const double s = 1e-5 * std::abs(D);
+      assert(std::abs((chi.value(D + s) - chi.value(D - s)) / (2 * s) - chi.derivative(D)) < 1e-6);
+      assert(std::abs((chi.derivative(D + s) - chi.derivative(D - s)) / (2 * s) - chi.second_derivative(D)) < 1e-4);
+    }
+    assert(QM::internal::Regularized_determinant::epsilon_for(epsilon) == (epsilon > 0 ? 0 : 1e-6));
+    assert(std::abs(QM::internal::Regularized_determinant::epsilon_for(-1 - epsilon) - 0.2 * (1 + epsilon)) < 1e-9);
+  }
+}
+
+// The flat arrays of a mapped mesh for the inner classes.
+struct Solver_of
+{
+  QM::internal::Indexed_triangle_mesh mesh;
+  std::vector<double> angle;
+  std::vector<int> jump, quarters;
+  std::vector<bool> is_aligned;
+  stage_checks::Silent_progress silent;
+  std::unique_ptr<QM::internal::Integer_grid_solver> solver;
+
+  Solver_of(const Mapped& m, double length) : mesh(indexed(m.tm))
+  {
+    for(Mesh::Face_index f : m.tm.faces())
+      angle.push_back(m.angle[f]);
+    for(Mesh::Edge_index e : m.tm.edges())
+    {
+      jump.push_back(m.jump[e]);
+      is_aligned.push_back(m.is_feature[e] || m.tm.is_border(e));
+    }
+    for(Mesh::Vertex_index v : m.tm.vertices())
+      quarters.push_back((m.tm.is_border(v) ? 2 : 4) - m.index[v]);
+    solver.reset(new QM::internal::Integer_grid_solver(mesh, angle, jump, quarters, is_aligned,
+                                                       std::vector<double>(mesh.number_of_faces(), length), 1,
+                                                       silent.progress));
+  }
+};
+
+// The orientation energy as [Bom12, 8.4] defines it, over the faces, against the quadratic form.
+void test_orientation_energy()
+{
+  CGAL::Random random(11);
+  for(const test_meshes::Soup& soup : { test_meshes::icosphere(2), test_meshes::cube(3) })
+  {
+    const double length = 0.4;
+    const Mapped m = map_of(soup, length, QM::Rounding_method::GREEDY, "energy");
+    const Solver_of s(m, length);
+    const auto& coordinates = s.solver->coordinates;
+    std::vector<double> weight(s.mesh.number_of_faces());
+    for(double& w : weight)
+      w = random.get_double(0.5, 3);
+    for(double g : { 1., 0.3 })
+    {
+      const QM::internal::Orientation_energy energy(coordinates, s.solver->faces, weight, g);
+      const auto by_definition = [&](const Eigen::VectorXd& x)
+      {
+        double sum = 0;
+        for(int f = 0; f < s.mesh.number_of_faces(); ++f)
+        {
+          // The gradients of u and v in the plane of the triangle, and the directions of the combed field there.
+          const auto a = s.mesh.vector(3 * f), b = -s.mesh.vector(3 * f + 2);
+          const double l = std::sqrt(a * a), bx = a * b / l, by = std::sqrt(b * b - bx * bx), area = l * by / 2;
+          const auto corner = [&](int k, int c) { return coordinates.value(coordinates.charts.wedge_of_corner[3 * f + k], c, x); };
+          const auto& u = coordinates.charts.u_direction[f];
+          for(int c = 0; c < 2; ++c)
+          {
+            const double gx = (corner(1, c) - corner(0, c)) / l, gy = (corner(2, c) - corner(0, c) - gx * bx) / by;
+            const double along_u = length * (gx * u[0] + gy * u[1]), along_v = length * (-gx * u[1] + gy * u[0]);
+            const double off_u = along_u - (c == 0), off_v = along_v - (c == 1);
+            sum += weight[f] * area / (length * length) * ((c == 0 ? g : 1) * off_u * off_u + (c == 1 ? g : 1) * off_v * off_v);
+          }
+        }
+        return sum;
+      };
+      Eigen::VectorXd x(coordinates.number_of_variables());
+      for(int i = 0; i < x.size(); ++i)
+        x[i] = random.get_double(-3, 3);
+      const double value = by_definition(x);
+      assert(std::abs(energy.value(x) - value) < 1e-9 * value);
+      const Eigen::VectorXd gradient = energy.A * x - energy.b;
+      for(int k = 0; k < 20; ++k)
+      {
+        const int i = random.get_int(0, static_cast<int>(x.size()));
+        Eigen::VectorXd forth = x, back = x;
+        forth[i] += 0.5;
+        back[i] -= 0.5; // central differences of a quadratic function are exact
+        assert(std::abs(by_definition(forth) - by_definition(back) - gradient[i]) < 1e-7 * (1 + gradient.norm()));
+        assert(std::abs(by_definition(forth) + by_definition(back) - 2 * value - energy.A.coeff(i, i) / 4) < 1e-7 * value);
+      }
+      // Some variables kept: the rest of the same function.
+      std::vector<int> number(x.size(), -1), free;
+      for(int i = 0; i < x.size(); i += 3)
+      {
+        number[i] = static_cast<int>(free.size());
+        free.push_back(i);
+      }
+      const QM::internal::Orientation_energy part(coordinates, s.solver->faces, weight, g, number, static_cast<int>(free.size()), x);
+      Eigen::VectorXd y(free.size());
+      for(int k = 0; k < y.size(); ++k)
+        y[k] = x[free[k]] = random.get_double(-3, 3);
+      assert(std::abs(part.value(y) - by_definition(x)) < 1e-9 * (1 + part.value(y)));
+    }
+  }
+}
+
+// The named parameters that shape the energy, where the answer is known.
+void test_parameters()
+{
+  // Five and a half quads do not fit: five or six rows, an error of a eleventh of their height, in length only.
+  Mapped m = map_of(test_meshes::grid(20, 11, 2, 1.1), 0.2, QM::Rounding_method::GREEDY, "rectangle that does not fit");
+  const auto solve = [&](const auto& np) { return QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv, np); };
+  for(double g : { 1., 0.5, 0.01 })
+  {
+    const auto r = solve(parameters::target_edge_length(0.2).anisotropy_weight(g));
+    assert(r.is_valid() && std::abs(r.energy - g * 55. / 121) < 1e-9 && std::abs(r.relaxed_energy) < 1e-9);
+  }
+  // The map of lengths counts, and not the length.
+  auto sizing = m.tm.add_property_map<Mesh::Face_index, double>("f:s", 0.1).first;
+  assert(solve(parameters::target_edge_length(0.2).face_sizing_map(sizing)).is_valid() && area_of_map(m) == 220);
+  assert(solve(parameters::target_edge_length(0.1)).is_valid() && area_of_map(m) == 220);
+  for(Mesh::Face_index f : m.tm.faces()) // one half of the rectangle with quads of half the width
+    if(CGAL::centroid(m.tm.point(m.tm.source(m.tm.halfedge(f))), m.tm.point(m.tm.target(m.tm.halfedge(f))),
+                      m.tm.point(m.tm.target(m.tm.next(m.tm.halfedge(f))))).x() < 1)
+      sizing[f] = 0.2;
+  assert(solve(parameters::face_sizing_map(sizing)).is_valid() && area_of_map(m) > 80 && area_of_map(m) < 200);
+  double left = 0, right = 0;
+  for(Mesh::Face_index f : m.tm.faces())
+  {
+    const auto h = m.tm.halfedge(f);
+    (sizing[f] == 0.2 ? left : right) += CGAL::area(m.uv[m.tm.prev(h)], m.uv[h], m.uv[m.tm.next(h)]);
+  }
+  assert(right > 1.3 * left);
+  sizing[Mesh::Face_index(5)] = 0;
+  assert(solve(parameters::face_sizing_map(sizing)).status == QM::Integer_grid_map_status::INVALID_LENGTH);
+}
+
+// Weights of local stiffening stay what they are where nothing is distorted, grow around what is, and make it better.
+void test_stiffening()
+{
+  const double length = 0.25;
+  const Mapped m = map_of(test_meshes::grid(12, 12), length, QM::Rounding_method::GREEDY, "square");
+  Solver_of s(m, length);
+  assert(s.solver->solve_seamless(1, 0));
+  const auto& coordinates = s.solver->coordinates;
+  QM::internal::Stiffening flat(coordinates, s.solver->faces);
+  flat.update_weights(s.solver->relaxed);
+  for(double w : flat.weight)
+    assert(std::abs(w - 1) < 1e-9);
+  // One inner vertex moved.
+  Eigen::VectorXd x = s.solver->relaxed;
+  int moved = -1;
+  for(int i = 0; i < coordinates.number_of_variables() && moved == -1; ++i)
+    if(!coordinates.is_integer[i])
+      moved = i;
+  x[moved] += 0.2;
+  QM::internal::Stiffening stiffening(coordinates, s.solver->faces);
+  stiffening.update_weights(x);
+  double greatest = 0;
+  for(int f = 0; f < s.mesh.number_of_faces(); ++f)
+  {
+    assert(stiffening.weight[f] >= 1 - 1e-12 && stiffening.weight[f] <= 6 + 1e-12);
+    greatest = (std::max)(greatest, stiffening.weight[f]);
+  }
+  assert(greatest > 1.05);
+}
+
+// Without a length, the feature edges are the sharp edges that CGAL finds, the border apart.
+void test_sharp_edges()
+{
+  for(const test_meshes::Soup& soup : { test_meshes::perturbed(test_meshes::icosphere(2), 0.15, 4),
+                                        test_meshes::perturbed(test_meshes::cylinder(12, 6, false), 0.3, 5) })
+    for(double degrees : { 5., 20., 45., 60., 89., 91., 120., 150., 180. })
+    {
+      Mesh tm = test_meshes::make_mesh(soup);
+      auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", true).first;
+      auto is_sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:s", false).first;
+      const auto r = QM::detect_feature_edges(tm, degrees, 0, is_feature);
+      CGAL::Polygon_mesh_processing::detect_sharp_edges(tm, degrees, is_sharp);
+      std::size_t n = 0;
+      for(Mesh::Edge_index e : tm.edges())
+      {
+        assert(is_feature[e] == (is_sharp[e] && !tm.is_border(e)));
+        n += is_feature[e];
+      }
+      assert(n == r.number_of_edges && r.number_of_dropped_edges == 0);
+      assert(n > 0 || degrees > 90);
+    }
+}
+
+// What lies within one and a half units of something else is watched, and nothing further away: the long sides of a strip of
+// 1.2 quads, but not of 1.8.
+void test_separations()
+{
+  const double length = 0.2;
+  for(double height : { 0.24, 0.36 })
+  {
+    const Mapped m = map_of(test_meshes::grid(20, 3, 2, height), length, QM::Rounding_method::GREEDY, "strip");
+    Solver_of s(m, length);
+    assert(s.solver->solve_seamless(1, 0));
+    const QM::internal::Separations separations(s.solver->coordinates, s.solver->grid_points(), s.is_aligned,
+                                                s.solver->relaxed, s.silent.progress);
+    assert(separations.list.empty() == (height > 1.5 * length));
+    for(const auto& separation : separations.list)
+    {
+      assert(separation.holds(s.solver->relaxed) && !separation.holds(-s.solver->relaxed));
+      assert(std::abs(std::abs(separation.wanted[separation.dominant()]) - height / length) < 1e-6);
+    }
+  }
+}
+
+// Wherever the visitor says stop, the call ends and the map is not written.
+void test_stops()
+{
+  // A surface on which fold-overs have to be removed, so that all parts of the work take steps.
+  Mapped m = map_of(test_meshes::perturbed(test_meshes::double_ring(4), 0.03, 5), 0.3, QM::Rounding_method::GREEDY, "rings");
+  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
+  {
+    for(Mesh::Halfedge_index h : m.tm.halfedges())
+      m.uv[h] = Kernel::Point_2(17, 17);
+    const auto r = QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv,
+                                        parameters::target_edge_length(0.3)
+                                          .edge_is_constrained_map(m.is_feature)
+                                          .visitor(std::ref(visitor)));
+    assert(r.is_valid() || r.status == QM::Integer_grid_map_status::STOPPED);
+    for(Mesh::Halfedge_index h : m.tm.halfedges())
+      assert(r.is_valid() || m.uv[h] == Kernel::Point_2(17, 17));
+    return r.is_valid();
+  });
+}
+
+void test_cut_graphs()
+{
   test_cut_graph(test_meshes::make_mesh(test_meshes::icosphere(2)), { 0, 5, 7, 100 });
   test_cut_graph(test_meshes::make_mesh(test_meshes::torus(20, 10)), {});
   test_cut_graph(test_meshes::make_mesh(test_meshes::torus(20, 10)), { 3, 77 });
@@ -542,16 +880,32 @@ int main()
   test_cut_graph(test_meshes::make_mesh(test_meshes::grid_with_hole(8, 8, 3, 5, 3, 5)), { 11 });
   test_cut_graph(test_meshes::make_mesh(test_meshes::cylinder(12, 5, false)), { 30 });
   test_cut_graph(test_meshes::make_mesh(test_meshes::two_components(3, 2)), { 0, 20, 60, 150 });
-  test_preparation();
-  test_feature_filter();
-  test_narrow_patches();
-  test_networks_of_short_chains();
-  test_maps();
-  test_check();
-  test_separated_rounding();
-  test_carrying();
-  test_threads();
-  test_bad_input();
-  std::cout << "done" << std::endl;
-  return EXIT_SUCCESS;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return run_cases(argc, argv, {
+    { "integer_relations", test_integer_relations },
+    { "cut_graphs", test_cut_graphs },
+    { "preparation", test_preparation },
+    { "feature_filter", test_feature_filter },
+    { "narrow_patches", test_narrow_patches },
+    { "networks_of_short_chains", test_networks_of_short_chains },
+    { "maps", test_maps },
+    { "check", test_check },
+    { "separated_rounding", test_separated_rounding },
+    { "carrying", test_carrying },
+    { "threads", test_threads },
+    { "bad_input", test_bad_input },
+    { "pinched_vertices", test_pinched_vertices },
+    { "distortion", test_distortion },
+    { "orientation_energy", test_orientation_energy },
+    { "parameters", test_parameters },
+    { "stiffening", test_stiffening },
+    { "sharp_edges", test_sharp_edges },
+    { "separations", test_separations },
+    { "stops", test_stops }
+  });
 }

@@ -202,9 +202,9 @@ void test_release_near_a_face()
     if(seed.empty() && c.x() > 0.5 && c.x() < 0.6 && c.y() < 0.1)
       seed.push_back(f);
   }
-  const double none = QM::internal::release_features(tm, tm.points(), std::vector<Mesh::Face_index>(), 10., is_feature);
+  const double none = QM::internal::release_features(tm, std::vector<Mesh::Face_index>(), 10., is_feature);
   assert(none == 0);
-  const double released = QM::internal::release_features(tm, tm.points(), seed, 0.25, is_feature);
+  const double released = QM::internal::release_features(tm, seed, 0.25, is_feature);
   double left = 0;
   for(Mesh::Edge_index e : tm.edges())
     left += is_feature[e] ? 0.1 : 0;

@@ -17,6 +17,9 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
+#include <CGAL/Quad_meshing/internal/Helix_detection.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>

@@ -15,9 +15,20 @@
 #include "test_cases.h"
 #include "visitor_checks.h"
 
+#include <CGAL/Quad_meshing/Layout/Layout_curves.h>
+#include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
+#include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -44,6 +55,8 @@ using QM::internal::Layout_realization;
 using QM::internal::Motorcycle_complex;
 
 namespace {
+
+QM::internal::Any_visitor nobody;     // lets everything pass
 
 // Few attempts: these meshes are small.
 auto options(QM::Structure_method method = QM::Structure_method::LAYOUT)
@@ -262,7 +275,7 @@ void test_distortion()
     const std::vector<char> is_fixed(m.number_of_vertices(), 0);
     const Motorcycle_complex complex(m, is_fixed);
     const Layout_quantization quantization(m, complex, is_fixed, false);
-    const Layout_distortion distortion(m, complex, quantization.rules(), is_fixed);
+    const Layout_distortion distortion(m, complex, quantization.rules(), is_fixed, nobody);
     std::vector<int> length = quantization.length;
     for(int factor : { 1, 3 })
     {
@@ -277,7 +290,7 @@ void test_distortion()
   const std::vector<char> none(square.number_of_vertices(), 0);
   const Motorcycle_complex complex(square, none);
   const Layout_quantization quantization(square, complex, none, false);
-  const Layout_distortion distortion(square, complex, quantization.rules(), none);
+  const Layout_distortion distortion(square, complex, quantization.rules(), none, nobody);
   assert(complex.patches.size() == 1);
   std::vector<int> wide = quantization.length;
   for(int k : { 0, 2 })
@@ -291,7 +304,7 @@ void test_distortion()
   const std::vector<char> is_fixed(m.number_of_vertices(), 0);
   const Motorcycle_complex walls(m, is_fixed);
   Layout_quantization lengths(m, walls, is_fixed, false);
-  const Layout_distortion d(m, walls, lengths.rules(), is_fixed);
+  const Layout_distortion d(m, walls, lengths.rules(), is_fixed, nobody);
   CGAL::Random random(5);
   int changes = 0, agreeing = 0;
   for(int i = 0; i < 300; ++i)
@@ -326,7 +339,7 @@ void test_distortion_derivatives()
   const std::vector<char> is_fixed(m.number_of_vertices(), 0);
   const Motorcycle_complex walls(m, is_fixed);
   Layout_quantization lengths(m, walls, is_fixed, false);
-  const Layout_distortion d(m, walls, lengths.rules(), is_fixed);
+  const Layout_distortion d(m, walls, lengths.rules(), is_fixed, nobody);
   CGAL::Random random(7);
   // away from the lengths of the input, where the gradient vanishes
   auto change = [&](int by) { return lengths.change(random.get_int(0, int(walls.arcs.size())), by, 1., 0.1, false); };
@@ -601,8 +614,8 @@ void test_other_graph_and_bad_input()
 // A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves on.
 void test_stop()
 {
-  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 20)), 60, 3));
-  const Mesh reference = SM::triangulated(SM::refined(irregular(), 20));
+  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 8)), 16, 3));
+  const Mesh reference = SM::triangulated(SM::refined(irregular(), 8));
   for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
   {
     std::cout << "  " << input.number_of_faces() << " quads, method " << int(method) << std::endl;
@@ -626,7 +639,7 @@ void test_stop()
 // The search ends when its time is up, with a mesh of the same topology that is as good as the input at least, and says so.
 void test_time_limit()
 {
-  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 20)), 60, 3));
+  const Mesh input = graph(twisted(flat(SM::refined(irregular(), 8)), 16, 3));
   const QM::Quad_mesh_structure before = QM::quad_mesh_structure(input);
   for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
     for(double limit : { 0., 0.5, 2., 1e6 })

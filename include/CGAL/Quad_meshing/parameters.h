@@ -24,6 +24,8 @@
 //   target_number_of_quads          number        about how many quads there should be; 4000
 //   align_boundary                  bool          whether the border becomes chains of quad edges; true
 //   face_direction_map              property map  face -> optional vector that the cross field follows; none
+//   face_direction_weight_map       property map  face -> weight of that vector, infinite: hard; all hard
+//   curvature_alignment             double        how much quads follow the directions of least curvature, 0 to 1; 1
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
 //   sizing_gradation                double        largest slope of the target edge length; 0.3
 //   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1, from
@@ -33,7 +35,7 @@
 //   cross_field_method              Cross_field_method  how period jumps are found; POLISHED
 //   anisotropy_weight               double        weight of the length of quads against their direction, in (0, 1]; 1
 //   stiffening_iterations           unsigned int  how often the energy may be weighted anew where triangles are
-//                                                 distorted, as long as there are folded ones; 0
+//                                                 distorted, as long as there are folded ones; 5
 //   number_of_threads               unsigned int  how many threads may work at the same time, results do not depend on
 //                                                 it; 1
 //   face_location_map               property map  receives quad vertex -> its place on the input mesh; none
@@ -41,12 +43,14 @@
 // Mixed-integer problems
 //   rounding_method                 Rounding_method  how integer conditions are met; GREEDY, BRANCH_AND_BOUND
 //                                                 where there are inequalities
+//   elimination_order               Elimination_order  which equality constraint is eliminated next; FEWEST_COEFFICIENTS
 //   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
 //                                                 other; 1e-6
 //   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
 //                                                 variables; 3e-4
 //   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 20000
 //   conjugate_gradient_iterations   int           steps per rounding, 0 switches the level off; 10
+//   allow_refactorization           bool          whether greedy rounding may factorize anew between its roundings; true
 //   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
 //                                                 deviations sum up to less than one half; true
 //   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
@@ -86,10 +90,12 @@
   CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
+  CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order)               \
   CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \
   CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)            \
   CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)\
   CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations, conjugate_gradient_iterations)\
+  CGAL_add_named_parameter(allow_refactorization_t, allow_refactorization, allow_refactorization)   \
   CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding, simultaneous_rounding)   \
   CGAL_add_named_parameter(maximum_dense_integers_t, maximum_dense_integers, maximum_dense_integers)\
   CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds, number_of_bound_rounds)\
@@ -104,6 +110,8 @@
   CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
   CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
+  CGAL_add_named_parameter(face_direction_weight_map_t, face_direction_weight_map, face_direction_weight_map)\
+  CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)         \
   CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
   CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \

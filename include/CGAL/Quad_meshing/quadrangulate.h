@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
-#include <CGAL/Quad_meshing/Pipeline/internal/locate_on_input.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -92,11 +91,17 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `std::optional<Vector_3>`, or an optional vector of another library, as value type}
     \cgalParamDefault{no direction is given}
   \cgalParamNEnd
+  \cgalParamNBegin{curvature_alignment}
+    \cgalParamDescription{how much the quads follow the directions in which the surface bends least, where these are reliable
+                          (`curvature_directions()`)}
+    \cgalParamType{`double`, from 0, not at all, to 1}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
   \cgalParamNBegin{cross_field_method}
     \cgalParamDescription{how the singularities of the cross field are found}
     \cgalParamType{`Cross_field_method`}
-    \cgalParamDefault{`Cross_field_method::REPRESENTATION`: smoother fields have fewer singularities, but their maps are more distorted}
-    \cgalParamExtra{if the map for `REPRESENTATION` is folded over, the one for `POLISHED` is tried as well}
+    \cgalParamDefault{`Cross_field_method::POLISHED`}
+    \cgalParamExtra{if the map for `POLISHED` is folded over, the one for `REPRESENTATION` is tried as well, and the other way round}
   \cgalParamNEnd
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how the integers of the map are chosen}
@@ -174,7 +179,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
     internal_np::target_number_of_quads_t, internal_np::target_edge_length_t, internal_np::sharpness_angle_t,
     internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
-    internal_np::cross_field_method_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
+    internal_np::curvature_alignment_t, internal_np::cross_field_method_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
     internal_np::smoothing_iterations_t, internal_np::optimize_structure_t, internal_np::number_of_threads_t,
     internal_np::random_seed_t, internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
     internal_np::vertex_point_t>::value;
@@ -213,6 +218,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     o.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), o.sharpness_angle);
     o.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), o.align_boundary);
     o.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), o.cross_field_method);
+    o.curvature_alignment = choose_parameter(get_parameter(np, internal_np::curvature_alignment), o.curvature_alignment);
     o.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), o.rounding_method);
     o.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), o.anisotropy_weight);
     o.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), o.optimize_structure);
@@ -227,9 +233,12 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
     {
       auto locations = get_parameter(np, internal_np::face_location_map);
-      const internal::Input_locator<TriangleMesh> locate(tm, vpm, q);
+      const std::vector<face_descriptor> input_faces(faces(tm).begin(), faces(tm).end());
       for(const auto& c : copies)
-        put(locations, c.second, locate(c.first));
+      {
+        const auto location = q.location_on_input(c.first);
+        put(locations, c.second, std::make_pair(input_faces[location.first], location.second));
+      }
     }
   }
   return result;

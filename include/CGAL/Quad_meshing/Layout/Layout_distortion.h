@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_LAYOUT_LAYOUT_DISTORTION_H
 
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
@@ -38,10 +39,10 @@ public:
   // What is added to the diagonal, relative to a weight: a component without irregular vertices may move as a whole.
   static constexpr double regularization = 1e-8;
 
-  // `mesh` and `complex` are needed during the construction only.
+  // `mesh` and `complex` are needed during the construction only. If the visitor asks for an end, the object is of no use.
   CGAL_QUAD_MESHING_INLINE
   Layout_distortion(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const Quad_vertex_rules& rules,
-                    const std::vector<char>& is_fixed);
+                    const std::vector<char>& is_fixed, Any_visitor& visitor);
   CGAL_QUAD_MESHING_INLINE Layout_distortion(Layout_distortion&& other);
   CGAL_QUAD_MESHING_INLINE ~Layout_distortion();
 

@@ -36,6 +36,8 @@ public:
     return true;
   }
 
+  double number_of_entries() const override { return 0.; }
+
   bool factorize(const View& A) override
   {
     m_matrix = std::make_unique<typename SolverTraits::Matrix>(m_size, m_size);
@@ -107,8 +109,8 @@ private:
 
 The kernels of this package take it as a model of how they shall solve.
 
-\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver is made for symmetric positive definite matrices
-or for all
+\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver is made for symmetric positive
+definite matrices or for all
 */
 template <typename SolverTraits>
 Sparse_cholesky<double> custom_sparse_cholesky()

@@ -32,7 +32,7 @@ template <typename Number>
 struct Cholesky_factor
 {
   std::vector<int> permutation;          ///< row `i` of the factor is row `permutation[i]` of the matrix
-  std::vector<std::size_t> column_begin; ///< the entries of column `j` are those from `column_begin[j]` to `column_begin[j + 1]`
+  std::vector<std::size_t> column_begin; ///< the entries of column `j` begin here and end where those of `j + 1` begin
   std::vector<int> row;                  ///< of each entry; in a column they ascend, the diagonal is the first one
   std::vector<Number> value;             ///< of each entry
 };
@@ -54,6 +54,8 @@ public:
   virtual std::unique_ptr<Sparse_cholesky_implementation> make_another() const = 0;
   /// learns the pattern of a matrix, and returns whether that was possible.
   virtual bool analyze(const View& A) = 0;
+  /// returns the number of entries that the factor will have by the pattern last analyzed, 0 if that is not known.
+  virtual double number_of_entries() const = 0;
   /// factorizes a matrix that is not empty and has the pattern last analyzed. Returns whether it is positive definite.
   virtual bool factorize(const View& A) = 0;
   /// solves for each column of a dense matrix, stored column by column, and writes the solutions there.
@@ -69,9 +71,9 @@ public:
 
 \brief The sparse Cholesky factorization of a positive definite matrix, symmetric or Hermitian.
 
-This is the one place of the package that chooses the solver: CHOLMOD if `CGAL_QUAD_MESHING_USE_CHOLMOD` is defined, else
-Eigen. CHOLMOD runs in one thread, as far as its version allows: its parallel loops cost more than they bring on the systems
-of this package, and results should not depend on the machine. Neither library shows in this header.
+This is the one place of the package that chooses the solver: CHOLMOD if `CGAL_QUAD_MESHING_USE_CHOLMOD` is defined,
+else Eigen. CHOLMOD runs in one thread, as far as its version allows: its parallel loops cost more than they bring on
+the systems of this package, and results should not depend on the machine. Neither library shows in this header.
 
 Matrices are given as a `Sparse_matrix_view` or as an `Eigen::SparseMatrix<Number>`. Only the lower triangle
 of the matrix is read. It need not outlive the factorization.
@@ -93,7 +95,9 @@ public:
   /// factorizes with CHOLMOD or Eigen.
   CGAL_QUAD_MESHING_INLINE Sparse_cholesky();
   /// factorizes with something else.
-  explicit Sparse_cholesky(std::unique_ptr<Implementation> implementation) : m_implementation(std::move(implementation)) {}
+  explicit Sparse_cholesky(std::unique_ptr<Implementation> implementation)
+    : m_implementation(std::move(implementation))
+  {}
 
   /// returns a new object that works in the same way and knows no matrix.
   Sparse_cholesky make_another() const { return Sparse_cholesky(m_implementation->make_another()); }
@@ -112,6 +116,10 @@ public:
   }
   template <typename EigenSparseMatrix>
   void analyze(const EigenSparseMatrix& A) { call_with_view(A, [this](const View& view) { analyze(view); }); }
+
+  /// returns the number of entries that the factor will have by the pattern last analyzed, 0 if a custom
+  /// implementation does not tell.
+  double number_of_entries() const { return m_is_analyzed && m_size > 0 ? m_implementation->number_of_entries() : 0.; }
 
   /// computes the factor of `A`, which must have the pattern last analyzed; analyzes first if nothing was.
   /// \return `is_ok()`
@@ -144,8 +152,9 @@ public:
     return m_is_ok;
   }
 
-  /// analyzes and factorizes a matrix that may be semidefinite: should it be singular, the smallest of a few multiples of its largest
-  /// entry that helps is added to its diagonal. Where a singular system has many solutions this chooses one of them.
+  /// analyzes and factorizes a matrix that may be semidefinite: should it be singular, the smallest of a few
+  /// multiples of its largest entry that helps is added to its diagonal. Where a singular system has many solutions
+  /// this chooses one of them.
   /// \return `is_ok()`
   CGAL_QUAD_MESHING_INLINE bool compute_semidefinite(const View& A);
   template <typename EigenSparseMatrix>
@@ -190,9 +199,9 @@ public:
     return b;
   }
 
-  /// computes \f$ B^* A^{-1} B \f$ for a sparse `B`, in less time than solving for all its columns: only the parts of the factor that the
-  /// columns reach are visited, and no back substitution is made. `result` has as many rows and columns as `B` has columns, and
-  /// is stored column by column.
+  /// computes \f$ B^* A^{-1} B \f$ for a sparse `B`, in less time than solving for all its columns: only the parts of
+  /// the factor that the columns reach are visited, and no back substitution is made. `result` has as many rows and
+  /// columns as `B` has columns, and is stored column by column.
   /// \pre `is_ok()`
   void product_with_inverse(const View& B, Number* result) const
   {

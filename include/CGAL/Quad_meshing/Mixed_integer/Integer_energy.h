@@ -23,14 +23,15 @@ namespace Quad_meshing {
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
 
-\brief A quadratic energy \f$ \frac12 x^T A x - x^T b \f$ seen as an energy of its integer variables \f$ y \f$ alone, the
-real ones always being the best for them.
+\brief A quadratic energy \f$ \frac12 x^T A x - x^T b \f$ seen as an energy of its integer variables \f$ y \f$ alone,
+the real ones always being the best for them.
 
 With the Schur complement \f$ S = A_{II} - A_{IR} A_{RR}^{-1} A_{RI} \f$ this energy is
 \f[ E(y) = \tfrac12 y^T S y - y^T c + k = \tfrac12 (y-y^*)^T S (y-y^*) + E(y^*). \f]
-One sparse factorization, of \f$ A_{RR} \f$, serves to compute \f$ S \f$ and then the real variables for any integers, so these
-can be chosen and revised as often as needed, each time by a small dense problem (see `problem()`). `solve_mixed_integer()` works
-that way by itself; this class is for those who want to add constraints between one solution and the next.
+One sparse factorization, of \f$ A_{RR} \f$, serves to compute \f$ S \f$ and then the real variables for any integers,
+so these can be chosen and revised as often as needed, each time by a small dense problem (see `problem()`).
+`solve_mixed_integer()` works that way by itself; this class is for those who want to add constraints between one
+solution and the next.
 
 \sa `Sparse_cholesky`
 */
@@ -44,10 +45,17 @@ public:
   /// factorizes in the way of another factorization.
   CGAL_QUAD_MESHING_INLINE explicit Integer_energy(const Sparse_cholesky<double>& linear_solver);
 
-  /// factorizes the part of `A` that belongs to the real variables. This is enough for `complete()`, `integers_of()` and `energy()`.
+  /// factorizes the part of `A` that belongs to the real variables. This is enough for `complete()`, `integers_of()`
+  /// and `energy()`.
   /// \return whether the energy is convex in the real variables.
   /// \pre `A` is symmetric and stored in full.
-  CGAL_QUAD_MESHING_INLINE bool factorize(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer);
+  CGAL_QUAD_MESHING_INLINE bool factorize(const Matrix& A, const Eigen::VectorXd& b,
+                                          const std::vector<bool>& is_integer);
+
+  /// factorizes and computes \f$ S \f$ and \f$ c \f$, but no minimum; directions without energy keep none.
+  /// \return whether the energy is convex in the real variables.
+  /// \pre `A` is symmetric and stored in full.
+  CGAL_QUAD_MESHING_INLINE bool reduce(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer);
 
   /// factorizes and computes the energy over the integers.
   /// \return whether the energy is convex in the real variables and in all.
@@ -67,6 +75,8 @@ public:
   const Eigen::MatrixXd& factor() const { return m_factor; }
   /// returns \f$ c \f$.
   const Eigen::VectorXd& linear_term() const { return m_c; }
+  /// returns the constant \f$ k \f$.
+  double constant() const { return m_constant; }
   /// returns \f$ y^* \f$, the minimum without integer conditions.
   const Eigen::VectorXd& target() const { return m_target; }
   /// returns the energy at the minimum without integer conditions.

@@ -76,6 +76,8 @@ struct Mixed_integer_solution
   int free_integers = 0;
   /// The number of variables left after the elimination of constraints.
   int free_variables = 0;
+  /// The number of entries of the matrix left after the elimination of constraints.
+  double matrix_entries = 0;
   /// The number of equality constraints.
   int constraints = 0;
   /// Equality constraints that follow from the others, by index, ascending.

@@ -26,8 +26,8 @@ enum class Rounding_method
   RELAXED,
   /// All integers are rounded at once from the relaxed solution. Two linear systems, poor energy.
   DIRECT,
-  /// One integer at a time, the one nearest to an integer first, with the exact solution of the
-  /// others after each rounding: one sparse system, and every 64 roundings a factorization. The reference for greedy rounding.
+  /// One integer at a time, the one nearest to an integer first, with the exact solution of the others after each
+  /// rounding: one sparse system, and every 64 roundings a factorization. The reference for greedy rounding.
   NAIVE,
   /// The same order of roundings, at a fraction of the cost: one factorization and dense updates if
   /// integers are few, else local Gauss-Seidel, preconditioned conjugate gradient and sparse Cholesky,
@@ -66,6 +66,16 @@ enum class Branching_rule
   MINIMUM_INFEASIBILITY, ///< the variable nearest to an integer
   MAXIMUM_INFEASIBILITY,     ///< the variable farthest from an integer
   PSEUDO_COSTS               ///< the variable whose past branchings raised the bound most
+};
+
+/*!
+\ingroup PkgQuadMeshingMixedIntegerRef
+\brief The order in which equality constraints are eliminated.
+*/
+enum class Elimination_order
+{
+  FEWEST_COEFFICIENTS, ///< the one with the fewest coefficients left first: the matrix stays sparse [Bom12, 5.3]
+  AS_GIVEN             ///< in the order of the problem, for comparison
 };
 
 /*!

@@ -94,7 +94,8 @@ inline bool read_matrix_market(std::istream& in, Eigen::SparseMatrix<double>& ma
       {
         double value;
         if(!read_value(value))
-          return fail("entry (" + std::to_string(i + 1) + ", " + std::to_string(j + 1) + ") is missing or no finite number");
+          return fail("entry (" + std::to_string(i + 1) + ", " + std::to_string(j + 1) +
+                      ") is missing or no finite number");
         if(value != 0.)
           add(i, j, value);
       }
@@ -105,7 +106,8 @@ inline bool read_matrix_market(std::istream& in, Eigen::SparseMatrix<double>& ma
       long long i, j;
       double value = 1.;
       if(!(in >> i >> j) || (kind != "pattern" && !read_value(value)))
-        return fail("entry " + std::to_string(k + 1) + " of " + std::to_string(entries) + " is missing or no finite number");
+        return fail("entry " + std::to_string(k + 1) + " of " + std::to_string(entries) +
+                    " is missing or no finite number");
       if(i < 1 || i > rows || j < 1 || j > columns)
         return fail("entry " + std::to_string(k + 1) + " lies outside of the matrix");
       add(i - 1, j - 1, value);

@@ -15,10 +15,12 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Mixed_integer_solver.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
-#include <chrono>
 #include <type_traits>
 
 namespace CGAL {
@@ -64,6 +66,12 @@ exception is thrown and nothing is printed.
     \cgalParamType{`Sparse_cholesky<double>` or a model of `SparseLinearAlgebraWithFactorTraits_d`}
     \cgalParamDefault{`Sparse_cholesky<double>`}
   \cgalParamNEnd
+  \cgalParamNBegin{elimination_order}
+    \cgalParamDescription{the order in which equality constraints are eliminated; `matrix_entries` of the
+                          solution tells what it does to the matrix}
+    \cgalParamType{`Elimination_order`}
+    \cgalParamDefault{`Elimination_order::FEWEST_COEFFICIENTS`}
+  \cgalParamNEnd
   \cgalParamNBegin{constraint_tolerance}
     \cgalParamDescription{An equality constraint depends on others if, with them, its coefficients cancel up
                           to this fraction of the largest, and contradicts them if its right-hand
@@ -96,6 +104,12 @@ exception is thrown and nothing is printed.
     \cgalParamType{`int`}
     \cgalParamDefault{`10`}
   \cgalParamNEnd
+  \cgalParamNBegin{allow_refactorization}
+    \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels do not
+                          suffice, and after a tenth of all roundings. Without, it goes on with what these steps have reached.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
   \cgalParamNBegin{simultaneous_rounding}
     \cgalParamDescription{whether greedy rounding rounds several integers at once as long as their deviations
                           from integers sum up to less than one half}
@@ -109,15 +123,16 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`3e7`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_bound_rounds}
-    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE` where the
-                          enumeration has not proven the optimum. A round adds as many inequalities as there are integers; six take some
-                          seconds with 100 integers, and each step takes time cubic in them.}
+    \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE`
+                          where the enumeration has not proven the optimum. A round adds as many inequalities as there are
+                          integers; six take some seconds with 100 integers, and each step takes time cubic in them.}
     \cgalParamType{`int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{the number of seconds that the search for integers may take after the factorization.
-                          Results that meet this limit depend on the machine.}
+    \cgalParamDescription{the number of seconds, by the clock on the wall, after which the best solution so far is
+                          returned; `message` then says so. The first factorization and one rounding of all integers are made in
+                          any case. Results that meet this limit depend on the machine.}
     \cgalParamType{`double`}
     \cgalParamDefault{unlimited}
   \cgalParamNEnd
@@ -153,6 +168,16 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
 
+  constexpr bool takes_parameters = internal::Takes_parameters<
+      NamedParameters, internal_np::rounding_method_t, internal_np::sparse_linear_solver_t,
+      internal_np::elimination_order_t, internal_np::constraint_tolerance_t, internal_np::rounding_tolerance_t,
+      internal_np::gauss_seidel_iterations_t, internal_np::conjugate_gradient_iterations_t,
+      internal_np::allow_refactorization_t, internal_np::simultaneous_rounding_t, internal_np::maximum_dense_integers_t,
+      internal_np::maximum_number_of_nodes_t, internal_np::number_of_bound_rounds_t,
+      internal_np::maximum_running_time_t, internal_np::relative_gap_tolerance_t, internal_np::subproblem_selection_t,
+      internal_np::branching_rule_t, internal_np::visitor_t>::value;
+  static_assert(takes_parameters, "solve_mixed_integer() does not take one of the named parameters.");
+
   typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t,
                                                        NamedParameters,
                                                        Sparse_cholesky<double> >::type Linear_solver;
@@ -168,6 +193,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
   options.method = choose_parameter(get_parameter(np, internal_np::rounding_method),
                                     problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND
                                                                : Rounding_method::GREEDY);
+  options.elimination_order =
+      choose_parameter(get_parameter(np, internal_np::elimination_order), options.elimination_order);
   options.constraint_tolerance = choose_parameter(get_parameter(np, internal_np::constraint_tolerance),
                                                   options.constraint_tolerance);
   options.rounding_tolerance = choose_parameter(get_parameter(np, internal_np::rounding_tolerance),
@@ -176,6 +203,8 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                                      options.gauss_seidel_iterations);
   options.conjugate_gradient_iterations = choose_parameter(
     get_parameter(np, internal_np::conjugate_gradient_iterations), options.conjugate_gradient_iterations);
+  options.allow_refactorization = choose_parameter(get_parameter(np, internal_np::allow_refactorization),
+                                                   options.allow_refactorization);
   options.simultaneous_rounding = choose_parameter(get_parameter(np, internal_np::simultaneous_rounding),
                                                    options.simultaneous_rounding);
   options.maximum_dense_integers = choose_parameter(get_parameter(np, internal_np::maximum_dense_integers),
@@ -192,20 +221,10 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                                   options.subproblem_selection);
   options.branching_rule = choose_parameter(get_parameter(np, internal_np::branching_rule),
                                             options.branching_rule);
-  options.go_further = [&visitor](double completed)
-  {
-    visitor.progress(completed);
-    return visitor.go_further();
-  };
 
-  const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-  visitor.on_stage_begin("mixed-integer solution");
-  const Sparse_cholesky<double> linear_solver = internal::make_linear_solver<Linear_solver>();
-  internal::Mixed_integer_solver solver(problem, options, linear_solver);
-  Mixed_integer_solution solution = solver.solve();
-  visitor.on_stage_end("mixed-integer solution");
-  solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return solution;
+  internal::Visitor_adaptor<std::remove_reference_t<Visitor_reference> > any_visitor(visitor);
+  return internal::solve_mixed_integer_kernel(problem, options, internal::make_linear_solver<Linear_solver>(),
+                                              any_visitor);
 }
 
 } // namespace Quad_meshing

@@ -14,9 +14,13 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Triangle_input.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/locate_on_input.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation.h>
 
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -88,6 +92,12 @@ public:
 
   /// returns the quad mesh, as the last run left it.
   const Quadrangulation_quads& quads() const { return *m_quads; }
+
+  /// returns where a vertex of the quad mesh lies on the input: the number of a face, and the weights of its corners.
+  std::pair<std::size_t, std::array<double, 3> > location_on_input(Mesh::Vertex_index v) const
+  {
+    return internal::locate_on_input(m_input, *m_surface, m_quads->location[v]);
+  }
 
 private:
   internal::Triangle_input m_input;

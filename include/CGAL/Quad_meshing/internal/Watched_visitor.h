@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 
-#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <string>
@@ -29,7 +28,7 @@ class Watched_visitor
 
 public:
   // Seconds after which the progress moves by itself, and the part of what is left that it moves by.
-  static constexpr double longest_rest = 0.2, part_of_rest = 0.02;
+  static constexpr double longest_rest = 0.05, part_of_rest = 0.005;
 
   // `maximum_running_time` is in seconds from now on.
   explicit Watched_visitor(Any_visitor& visitor,
@@ -46,10 +45,12 @@ public:
 
   void on_stage_end(const std::string& name) override { m_visitor.on_stage_end(name); }
 
-  // It never goes back.
+  // It never goes back; what has moved by itself waits for the work to catch up.
   void progress(double completed) override
   {
-    m_completed = (std::max)(m_completed, completed);
+    if(!(completed > m_completed))
+      return;
+    m_completed = completed;
     m_last_progress = Clock::now();
     m_visitor.progress(m_completed);
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/internal/run_aside.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,10 +44,13 @@ struct Sparse_vector
 // and the residuals by d pi/2 times the column e of P. With the Cholesky factor A = L L' the entries
 // are P_ef = [e = f] - <y_e, y_f>, y_e = L^-1 B'_e, and y_e is sparse: it lives on the paths of
 // two faces to the root of the elimination tree. So single entries of P cost microseconds.
+//
+// An angle that is given softly is an edge to a face that has it: a further row of B, whose jump does not change.
 class Dual_laplacian
 {
 public:
-  explicit Dual_laplacian(const Field_problem& problem)
+  // Not valid if the visitor stops it.
+  Dual_laplacian(const Field_problem& problem, Stage_progress& progress)
     : m_problem(problem)
   {
     m_row.assign(problem.mesh.number_of_faces(), -1);
@@ -73,25 +78,40 @@ public:
       if(f != -1)
         entries.emplace_back(m_row[f], m_row[f], 1.);
 
-    Eigen::SparseMatrix<double> a(n, n);
-    a.setFromTriplets(entries.begin(), entries.end());
-    if(m_cholesky.compute(a))
-      m_factor = m_cholesky.factor();
-    m_row_of_factor.resize(n);
-    if(m_factor)
-      for(int i = 0; i < n; ++i)
-        m_row_of_factor[m_factor->permutation[i]] = i;
+    for(std::size_t f = 0; f < problem.soft_weight.size(); ++f)
+      if(m_row[f] != -1 && problem.soft_weight[f] > 0)
+        entries.emplace_back(m_row[f], m_row[f], problem.soft_weight[f]);
+
+    const auto data = std::make_shared<Factorization>();
+    data->matrix.resize(n, n);
+    data->matrix.setFromTriplets(entries.begin(), entries.end());
+    const bool is_done = run_aside(n, progress, data, [](Factorization& f)
+    {
+      if(f.cholesky.compute(f.matrix))
+        f.factor = f.cholesky.factor();
+    });
     m_work.assign(n, 0.);
+    if(!is_done || !data->factor)
+      return;
+    m_cholesky = std::move(data->cholesky);
+    m_factor = std::move(data->factor);
+    m_row_of_factor.resize(n);
+    for(int i = 0; i < n; ++i)
+      m_row_of_factor[m_factor->permutation[i]] = i;
   }
 
   bool is_valid() const { return m_factor != nullptr; }
   int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
 
-  // Sets the angles of all faces to the best ones for the period jumps of the field.
+  // Sets the angles of all faces to the best ones for the period jumps of the field. Of the directions that are given
+  // softly, each face keeps the one that it has been nearest to.
   void solve_angles(Cross_field& field) const
   {
     const int n = number_of_unknowns();
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n);
+    for(std::size_t f = 0; f < m_problem.soft_weight.size(); ++f)
+      if(m_row[f] != -1 && m_problem.soft_weight[f] > 0)
+        rhs[m_row[f]] = m_problem.soft_weight[f] * m_problem.nearest_soft_angle(static_cast<int>(f), field.angle[f]);
     for(std::size_t f = 0; f < m_row.size(); ++f)
       field.angle[f] = m_row[f] == -1 ? m_problem.given_angle[f] : 0.;
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
@@ -169,6 +189,13 @@ public:
   }
 
 private:
+  struct Factorization
+  {
+    Eigen::SparseMatrix<double> matrix;
+    Sparse_cholesky<double> cholesky;
+    std::unique_ptr<Cholesky_factor<double> > factor;
+  };
+
   const Field_problem& m_problem;
   std::vector<int> m_row;                              // per face: its row in A, -1 if its angle is given
   Sparse_cholesky<double> m_cholesky;

@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -31,7 +32,8 @@ struct Cross_field
 //
 // The residual of an inner edge e with the faces i (of `halfedge_of_edge[e]`) and j (across) is
 //   r_e = angle_i + kappa_e + pi/2 jump_e - angle_j,
-// and the energy of a field is the sum of the squared residuals of all inner edges.
+// and the energy of a field is the sum of the squared residuals of all inner edges, and of the weighted squared
+// deviations from soft angles.
 struct Field_problem
 {
   const Indexed_triangle_mesh& mesh;
@@ -39,6 +41,8 @@ struct Field_problem
   std::vector<char> aligned;         // per edge: the field follows it
   std::vector<char> constrained;     // per face: its angle is given
   std::vector<double> given_angle;   // per face
+  std::vector<double> soft_angle;    // per face: the angle that it should have; empty where none has one
+  std::vector<double> soft_weight;   // per face: of the squared deviation from it, in units of the residuals
   std::vector<int> component;        // per face
   std::vector<int> anchor;           // per component: a free face of a component without constraint, or -1
   Field_sectors sectors;
@@ -75,7 +79,19 @@ struct Field_problem
         const double r = residual(e, field);
         sum += r * r;
       }
+    for(std::size_t f = 0; f < soft_weight.size(); ++f)
+      if(soft_weight[f] > 0)
+      {
+        const double d = field.angle[f] - nearest_soft_angle(static_cast<int>(f), field.angle[f]);
+        sum += soft_weight[f] * d * d;
+      }
     return sum;
+  }
+
+  // Of the four directions of the cross that a face should have, the nearest one.
+  double nearest_soft_angle(int f, double angle) const
+  {
+    return soft_angle[f] + quarter_turn * std::round((angle - soft_angle[f]) / quarter_turn);
   }
 
   // The period jump that makes the residual of an edge smallest.
@@ -147,7 +163,7 @@ struct Field_problem
       {
         const int f = stack.back();
         stack.pop_back();
-        anything_given = anything_given || constrained[f];
+        anything_given = anything_given || constrained[f] || (!soft_weight.empty() && soft_weight[f] > 0);
         for(int h = 3 * f; h < 3 * f + 3; ++h)
           if(mesh.opposite[h] != -1 && component[mesh.opposite[h] / 3] == -1)
           {

@@ -46,8 +46,11 @@ public:
   typedef Indexed_triangle_mesh::Point_3 Point_3;
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
-  explicit Shape_operators(const Indexed_triangle_mesh& m)
+  // Feature edges, if given, have a value per edge: disks end there, as at the border, and what they bend does not
+  // count.
+  explicit Shape_operators(const Indexed_triangle_mesh& m, const std::vector<char>& is_feature = std::vector<char>())
     : m_mesh(m)
+    , m_is_feature(is_feature.empty() ? std::vector<char>(m.number_of_edges(), 0) : is_feature)
     , m_normal(m.number_of_faces())
     , m_bend(m.number_of_edges(), 0.)
     , m_face_mark(m.number_of_faces(), -1)
@@ -59,7 +62,7 @@ public:
     {
       const int h = m.halfedge_of_edge[e], o = m.opposite[h];
       const double length = std::sqrt(m.vector(h).squared_length());
-      if(o == -1 || !(length > 0))
+      if(o == -1 || m_is_feature[e] || !(length > 0))
         continue;
       const Vector_3& n = m_normal[h / 3];
       const Vector_3& k = m_normal[o / 3];
@@ -150,7 +153,7 @@ private:
         m_edge_mark[e] = f;
         m_edges.push_back(e);
         const int o = m_mesh.opposite[h];
-        if(o != -1 && m_face_mark[o / 3] != f)
+        if(o != -1 && !m_is_feature[e] && m_face_mark[o / 3] != f)
         {
           m_face_mark[o / 3] = f;
           m_faces.push_back(o / 3);
@@ -171,6 +174,7 @@ private:
   }
 
   const Indexed_triangle_mesh& m_mesh;
+  const std::vector<char> m_is_feature; // per edge
   std::vector<Vector_3> m_normal;  // per face: its area vector
   std::vector<double> m_bend;      // per edge: its signed dihedral angle, 0 if flat
   std::vector<int> m_face_mark, m_edge_mark;

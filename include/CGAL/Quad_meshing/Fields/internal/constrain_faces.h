@@ -35,14 +35,14 @@ struct No_face_direction
   friend No_direction get(const No_face_direction&, const key_type&) { return No_direction(); }
 };
 
-inline void constrain_face(Field_problem&, int, No_direction) {}
+inline void constrain_face(Field_problem&, int, No_direction, double) {}
 
-// Gives face f a direction, projected to its plane, unless it has one already. Directions that are
-// orthogonal to the face, and faces without a normal, are skipped.
+// Gives face f a direction, projected to its plane, unless it has one already: a soft one, unless its weight is
+// infinite. Directions that are orthogonal to the face, and faces without a normal, are skipped.
 template <typename OptionalVector_3>
-void constrain_face(Field_problem& problem, int f, const OptionalVector_3& direction)
+void constrain_face(Field_problem& problem, int f, const OptionalVector_3& direction, double weight)
 {
-  if(!direction || problem.constrained[f])
+  if(!direction || problem.constrained[f] || !(weight > 0))
     return;
   const Indexed_triangle_mesh::Vector_3 d(to_double(direction->x()), to_double(direction->y()), to_double(direction->z()));
   const std::array<int, 3>& c = problem.mesh.corners[f];
@@ -56,8 +56,16 @@ void constrain_face(Field_problem& problem, int f, const OptionalVector_3& direc
   const double a = d * x, b = d * y;
   if(!(std::hypot(a, b) > smallest_projection * std::sqrt(d.squared_length())))
     return;
-  problem.constrained[f] = 1;
-  problem.given_angle[f] = std::atan2(b, a);
+  if(std::isinf(weight))
+  {
+    problem.constrained[f] = 1;
+    problem.given_angle[f] = std::atan2(b, a);
+    return;
+  }
+  problem.soft_angle.resize(problem.mesh.number_of_faces(), 0.);
+  problem.soft_weight.resize(problem.mesh.number_of_faces(), 0.);
+  problem.soft_angle[f] = std::atan2(b, a);
+  problem.soft_weight[f] = weight;
 }
 
 } // namespace internal

@@ -22,6 +22,8 @@ solve_field(const Field_problem& problem, const Field_options& options, Any_visi
 {
   const Visited_stage stage(visitor, "cross field");
   Stage_progress progress(visitor);
+  const double factorized = 0.1;
+  progress.begin_part(factorized);
   if(!progress.go_further())
     return Cross_field_status::STOPPED;
   return Field_solver(problem, options, progress)(field, result);

@@ -33,7 +33,7 @@ namespace internal {
 struct Layout_distortion::Form
 {
   Form(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const Quad_vertex_rules& rules,
-       const std::vector<char>& is_fixed)
+       const std::vector<char>& is_fixed, Any_visitor& visitor)
     : m(mesh), m_complex(complex)
   {
     number_unknowns(rules, is_fixed);
@@ -44,12 +44,13 @@ struct Layout_distortion::Form
       matrix.emplace_back(i, i, regularization);
     const Cell_matrix cell = cell_matrix();
     for(const Motorcycle_complex::Patch& p : complex.patches)
-      add(p, cell, matrix, coupling);
+      if(visitor.go_further())
+        add(p, cell, matrix, coupling);
     Eigen::SparseMatrix<double> A(n, n), B(n, arcs);
     A.setFromTriplets(matrix.begin(), matrix.end());
     B.setFromTriplets(coupling.begin(), coupling.end());
     Sparse_cholesky<double> solver;
-    if(solver.compute(A))
+    if(visitor.go_further() && solver.compute(A) && visitor.go_further())
     {
       Eigen::MatrixXd product;
       solver.product_with_inverse(B, product);
@@ -276,8 +277,9 @@ private:
 
 CGAL_QUAD_MESHING_INLINE
 Layout_distortion::Layout_distortion(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex,
-                                     const Quad_vertex_rules& rules, const std::vector<char>& is_fixed)
-  : m_form(new Form(mesh, complex, rules, is_fixed))
+                                     const Quad_vertex_rules& rules, const std::vector<char>& is_fixed,
+                                     Any_visitor& visitor)
+  : m_form(new Form(mesh, complex, rules, is_fixed, visitor))
 {}
 
 CGAL_QUAD_MESHING_INLINE Layout_distortion::Layout_distortion(Layout_distortion&& other) = default;

@@ -80,6 +80,8 @@ public:
     return m_solver->info() == Eigen::Success;
   }
 
+  double number_of_entries() const override { return m_solver->number_of_entries(); }
+
   bool factorize(const View& A) override
   {
     const Single_thread_scope single_thread;
@@ -116,6 +118,7 @@ private:
   struct Solver : Eigen::CholmodDecomposition<Matrix, Eigen::Lower>
   {
     const cholmod_factor& factor() const { return *this->m_cholmodFactor; }
+    double number_of_entries() const { return this->m_cholmod.lnz; }
   };
 
   void view_factor(Supernodal_factor<Number>& view) const
@@ -149,7 +152,14 @@ private:
   // LL' fails by itself on a matrix that is not positive definite.
   bool has_positive_pivots() const { return true; }
 #else
-  typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Solver;
+  struct Solver : Eigen::SimplicialLDLT<Matrix, Eigen::Lower>
+  {
+    double number_of_entries() const
+    {
+      // The analysis makes room for the factor without its diagonal.
+      return double(this->m_matrix.cols()) + this->m_matrix.outerIndexPtr()[this->m_matrix.cols()];
+    }
+  };
 
   void view_factor(Supernodal_factor<Number>& view) const
   {
@@ -201,7 +211,8 @@ CGAL_QUAD_MESHING_INLINE Sparse_cholesky<Number>::Sparse_cholesky()
 template <typename Number>
 CGAL_QUAD_MESHING_INLINE bool Sparse_cholesky<Number>::compute_semidefinite(const View& A)
 {
-  // Relative to the largest diagonal entry: from what round-off leaves of a zero to what an accurate solution still bears.
+  // Relative to the largest diagonal entry: from what round-off leaves of a zero to what an accurate solution still
+  // bears.
   const double relative_shifts[] = { 1e-12, 1e-10, 1e-8 };
 
   m_shift = 0;

@@ -10,8 +10,8 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_BRANCH_AND_BOUND_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Bounded_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Convex_quadratic.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dual_active_set.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 
 #include <Eigen/Core>
@@ -35,10 +35,13 @@ struct Search_result
 {
   bool is_found = false;
   bool is_complete = false;    // the tree was searched to its end, up to the gap asked for
-  bool is_unbounded = false;
+  bool rests_on_box = false;   // on bounds that stand in for missing ones: without them there may be something better
+  bool is_uncertain = false;   // a part of the search was given up for want of accuracy
   Eigen::VectorXd y;
   double energy = std::numeric_limits<double>::infinity();
   double lower_bound = -std::numeric_limits<double>::infinity();
+  // like the lower bound, even where it rests on the box
+  double bound_in_box = -std::numeric_limits<double>::infinity();
   double nodes = 0.;
   int cuts = 0;
 
@@ -53,7 +56,7 @@ struct Search_result
   }
 };
 
-// The choice of a branching variable by the change of the bound that branchings on it brought so far (thesis 4.1,
+// The choice of a branching variable by the change of the bound that branchings on it brought so far ([Bom12, 4.1],
 // pseudo-costs), per unit of change of the variable, downwards and upwards.
 class Pseudo_costs
 {
@@ -111,36 +114,39 @@ inline int branching_variable(const Eigen::VectorXd& y, const std::vector<char>&
   return best;
 }
 
-// Branch-and-bound (thesis 4.1) for E(y) = 1/2 (y - y*)' S (y - y*) + constant with constraints, by the dual
-// active-set method, whose cost is the bound of a subproblem.
+// Branch-and-bound [Bom12, 4.1] for a convex quadratic energy with constraints, by the dual active-set method, whose
+// cost is the bound of a subproblem.
 class Branch_and_bound
 {
   struct Node
   {
     Eigen::VectorXd lower, upper, y;
-    double energy, estimate;
-    int depth;
+    double energy = -std::numeric_limits<double>::infinity(); // a lower bound
+    double estimate = 0.;
+    int depth = 0;
+    // The subproblems of the node: the variable is at most this number, or more than it.
+    int variable = -1;
+    double split = 0.;
   };
 
 public:
-  Branch_and_bound(const Bounded_problem& problem, const Eigen::MatrixXd& S, const Eigen::VectorXd& target,
-                   double constant, const Solver_options& options, const std::function<bool()>& go_further)
+  Branch_and_bound(const Bounded_problem& problem, Convex_quadratic& quadratic, const Solver_options& options,
+                   const std::function<bool()>& go_further)
     : m_problem(problem)
-    , m_inverse_factor(inverse_transposed_factor(S))
-    , m_target(target)
-    , m_constant(constant)
+    , m_quadratic(quadratic)
     , m_options(options)
     , m_go_further(go_further)
-    , m_quadratic(m_inverse_factor, m_target)
-    , m_pseudo_costs(initial_costs(m_inverse_factor))
+    , m_pseudo_costs(quadratic.step_costs())
   {}
 
-  // The least energy without integer conditions, infinite if the constraints contradict each other.
+  // The least energy without integer conditions: infinite if the constraints contradict each other, minus infinity if
+  // it is not known.
   double relaxed_energy()
   {
-    Eigen::VectorXd y;
-    double energy;
-    return relax(m_problem.lower, m_problem.upper, y, energy) ? energy : std::numeric_limits<double>::infinity();
+    const Convex_quadratic::Minimum minimum = relax(m_problem.lower, m_problem.upper);
+    if(!minimum.is_feasible)
+      return std::numeric_limits<double>::infinity();
+    return minimum.is_exact ? minimum.energy : -std::numeric_limits<double>::infinity();
   }
 
   // `incumbent` is a feasible point to start with; it may be empty.
@@ -154,7 +160,7 @@ public:
       m_result.is_complete = true;
       return m_result;
     }
-    add(m_problem.lower, m_problem.upper, 0);
+    add(m_problem.lower, m_problem.upper, Node());
     bool is_stopped = false;
     while(!m_queue.empty())
     {
@@ -175,8 +181,9 @@ public:
       }
       branch(*node);
     }
-    m_result.is_complete = !is_stopped;
-    m_result.lower_bound = (std::min)({ lower_bound(), m_fathomed_bound, m_result.energy });
+    m_result.is_complete = !is_stopped && !m_is_uncertain;
+    m_result.lower_bound = m_is_uncertain ? -std::numeric_limits<double>::infinity()
+                                          : (std::min)({ lower_bound(), m_fathomed_bound, m_result.energy });
     return m_result;
   }
 
@@ -186,30 +193,12 @@ private:
 
   static constexpr double integer_tolerance = 1e-6;
 
-  static Eigen::MatrixXd inverse_transposed_factor(const Eigen::MatrixXd& S)
-  {
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(S);
-    const Eigen::MatrixXd L = cholesky.matrixL();
-    const Eigen::MatrixXd inverse = L.triangularView<Eigen::Lower>().solve(
-      Eigen::MatrixXd::Identity(S.rows(), S.cols()));
-    return inverse.transpose();
-  }
-
-  // Moving variable i alone by d costs 1/2 d^2 / (S^-1)_ii.
-  static Eigen::VectorXd initial_costs(const Eigen::MatrixXd& J)
-  {
-    Eigen::VectorXd costs(J.rows());
-    for(int i = 0; i < J.rows(); ++i)
-      costs[i] = 0.5 / J.row(i).squaredNorm();
-    return costs;
-  }
-
   bool gap_closed(double bound) const
   {
-    const double epsilon = 1e-10;
+    const double epsilon = 1e-10, round_off = 1e-12;
     return m_result.is_found &&
            m_result.energy - bound <= m_options.relative_gap_tolerance * (std::fabs(m_result.energy) + epsilon)
-                                      + 1e-12 * (1. + std::fabs(m_constant));
+                                      + round_off * m_quadratic.magnitude();
   }
 
   double lower_bound() const
@@ -218,39 +207,47 @@ private:
   }
 
   // Solves the relaxation of a subproblem.
-  bool relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& y, double& energy)
+  Convex_quadratic::Minimum relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)
   {
     std::vector<Dual_active_set::Constraint> constraints;
     if(!make_constraints(m_problem, lower, upper, constraints))
-      return false;
-    double cost;
-    const bool is_feasible = m_quadratic.solve(constraints, y, cost);
-    energy = m_constant + cost;
-    return is_feasible;
+      return Convex_quadratic::Minimum();
+    return m_quadratic.minimize(constraints);
   }
 
-  // Solves a subproblem and queues it, unless it is infeasible, worse than the incumbent, or solved.
-  // Returns its bound.
-  double add(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, int depth)
+  // Solves a subproblem and queues it, unless it is infeasible, worse than the incumbent, or solved. Returns its bound.
+  double add(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, const Node& parent)
   {
     ++m_result.nodes;
-    std::shared_ptr<Node> node = std::make_shared<Node>();
-    if(!relax(lower, upper, node->y, node->energy))
+    const Convex_quadratic::Minimum minimum = relax(lower, upper);
+    if(!minimum.is_feasible)
       return std::numeric_limits<double>::infinity();
+    const std::shared_ptr<Node> node = std::make_shared<Node>();
+    node->y = minimum.y;
+    node->energy = minimum.is_exact ? (std::max)(parent.energy, minimum.energy) : parent.energy;
+    node->lower = lower;
+    node->upper = upper;
+    node->depth = parent.depth + 1;
+    node->variable =
+        branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
+    if(node->variable >= 0)
+    {
+      node->split = std::floor(node->y[node->variable]);
+      try_rounding(node->y);
+    }
+    else if(!fathom(*node))
+      return node->energy;
     if(gap_closed(node->energy))
     {
       m_fathomed_bound = (std::min)(m_fathomed_bound, node->energy);
       return node->energy;
     }
-    if(branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule,
-                          m_pseudo_costs) < 0)
-    {
-      fathom(*node);
-      return node->energy;
-    }
-    node->lower = lower;
-    node->upper = upper;
-    node->depth = depth;
+    enqueue(node);
+    return node->energy;
+  }
+
+  void enqueue(const std::shared_ptr<Node>& node)
+  {
     node->estimate = node->energy;
     for(int i = 0; i < m_problem.size(); ++i)
       if(m_problem.is_integer[i])
@@ -261,12 +258,11 @@ private:
       }
     double key = node->energy;
     if(m_options.subproblem_selection == Subproblem_selection::DEPTH_FIRST)
-      key = -depth;
+      key = -node->depth;
     else if(m_options.subproblem_selection == Subproblem_selection::BEST_ESTIMATE)
       key = node->estimate;
     m_bounds.insert(node->energy);
     m_queue.insert(Entry(key, -(++m_number), node)); // the youngest of equals first
-    return node->energy;
   }
 
   void remove(std::set<Entry>::iterator it)
@@ -275,56 +271,82 @@ private:
     m_queue.erase(it);
   }
 
-  // All integers are integers up to round-off: makes them so and solves for the rest once more.
-  void fathom(const Node& node)
+  // A node may be close to a feasible point: without one, a search that is stopped has nothing to show.
+  void try_rounding(Eigen::VectorXd y)
   {
-    Eigen::VectorXd lower = m_problem.lower, upper = m_problem.upper, y;
-    for(int i = 0; i < m_problem.size(); ++i)
-      if(m_problem.is_integer[i])
-        lower[i] = upper[i] = std::floor(node.y[i] + 0.5);
-    double energy;
-    if(!relax(lower, upper, y, energy))
+    const long interval = 64; // once there is a point, so few of the nodes are rounded
+    if(m_result.is_found && static_cast<long>(m_result.nodes) % interval != 1)
       return;
     for(int i = 0; i < m_problem.size(); ++i)
       if(m_problem.is_integer[i])
-        y[i] = lower[i];
-    m_result.accept(y, energy);
-    m_fathomed_bound = (std::min)(m_fathomed_bound, node.energy);
+        y[i] = std::floor(y[i] + 0.5);
+    const Convex_quadratic::Minimum minimum = complete_reals(m_problem, m_quadratic, y);
+    if(minimum.is_feasible && m_problem.is_met_by(minimum.y))
+      m_result.accept(minimum.y, m_quadratic.energy(minimum.y));
+  }
+
+  // All integers of a node are integers up to round-off: makes them so and solves for the rest once more. Returns
+  // whether the node may hold something better still; it then knows how to be divided.
+  bool fathom(Node& node)
+  {
+    Eigen::VectorXd rounded = node.y;
+    double farthest = -1.;
+    for(int i = 0; i < m_problem.size(); ++i)
+      if(m_problem.is_integer[i])
+      {
+        rounded[i] = std::floor(node.y[i] + 0.5);
+        if(node.lower[i] < node.upper[i] && std::fabs(node.y[i] - rounded[i]) > farthest)
+        {
+          farthest = std::fabs(node.y[i] - rounded[i]);
+          node.variable = i;
+          node.split = rounded[i] < node.upper[i] ? rounded[i] : rounded[i] - 1.;
+        }
+      }
+    const Convex_quadratic::Minimum minimum = complete_reals(m_problem, m_quadratic, rounded);
+    if(minimum.is_feasible)
+    {
+      if(m_problem.is_met_by(minimum.y))
+        m_result.accept(minimum.y, m_quadratic.energy(minimum.y));
+      else if(node.variable < 0 && m_problem.has_real_rows())
+        m_is_uncertain = true; // what cannot be computed accurately is not said to be infeasible
+      if(node.variable < 0 && minimum.is_exact)
+        node.energy = (std::max)(node.energy, minimum.energy);
+    }
+    if(node.variable < 0 && minimum.is_feasible && !minimum.is_exact)
+      m_is_uncertain = true;
+    return node.variable >= 0;
   }
 
   void branch(const Node& node)
   {
-    const int i = branching_variable(node.y, m_problem.is_integer, integer_tolerance, m_options.branching_rule,
-                                     m_pseudo_costs);
-    const double below = std::floor(node.y[i]), fraction = node.y[i] - below;
+    const int i = node.variable;
+    const double fraction = (std::min)(1., (std::max)(0., node.y[i] - node.split));
     // The nearer side last: of two new subproblems of one key the younger one is taken first.
     const int order[2] = { fraction < 0.5 ? 1 : 0, fraction < 0.5 ? 0 : 1 };
     for(int direction : order)
     {
       Eigen::VectorXd lower = node.lower, upper = node.upper;
       if(direction == 0)
-        upper[i] = below;
+        upper[i] = node.split;
       else
-        lower[i] = below + 1.;
-      const double bound = add(lower, upper, node.depth + 1);
-      if(bound < std::numeric_limits<double>::infinity())
+        lower[i] = node.split + 1.;
+      const double bound = add(lower, upper, node);
+      if(bound < std::numeric_limits<double>::infinity() && node.energy > -std::numeric_limits<double>::infinity())
         m_pseudo_costs.learn(i, direction, direction == 0 ? fraction : 1. - fraction,
                              (std::max)(0., bound - node.energy));
     }
   }
 
   const Bounded_problem& m_problem;
-  const Eigen::MatrixXd m_inverse_factor;
-  const Eigen::VectorXd& m_target;
-  double m_constant;
+  Convex_quadratic& m_quadratic;
   const Solver_options& m_options;
   const std::function<bool()>& m_go_further;
-  Dual_active_set m_quadratic;
   Pseudo_costs m_pseudo_costs;
   Search_result m_result;
   std::set<Entry> m_queue;
   std::multiset<double> m_bounds; // of the queued subproblems
   double m_fathomed_bound = std::numeric_limits<double>::infinity();
+  bool m_is_uncertain = false;    // a subproblem was given up for want of accuracy
   long m_number = 0;
 };
 

@@ -24,8 +24,8 @@ namespace internal {
 // A three-level solver in whose system leaves do not occur: integers that the energy couples to at most two other
 // variables, as it does the period jumps of a field. As long as a leaf is free it is the best one for its neighbors,
 //   z_l = (b_l - a'x) / A_ll,
-// and the system of the others is without a a' / A_ll; fixing the leaf adds this to their matrix. That makes systems smaller, and
-// local steps larger: neighbors do not wait for the leaf between them.
+// and the system of the others is without a a' / A_ll; fixing the leaf adds this to their matrix. That makes systems
+// smaller, and local steps larger: neighbors do not wait for the leaf between them.
 class Condensed_solver
 {
 public:
@@ -82,12 +82,16 @@ public:
     const double shift = m_problem.b[i] / leaf.diagonal - value;
     for(int k = 0; k < leaf.degree; ++k)
       for(int l = 0; l < leaf.degree; ++l)
-        m_solver->add_to_matrix(leaf.neighbor[k], leaf.neighbor[l], leaf.coefficient[k] * leaf.coefficient[l] / leaf.diagonal);
+        m_solver->add_to_matrix(leaf.neighbor[k], leaf.neighbor[l],
+                                leaf.coefficient[k] * leaf.coefficient[l] / leaf.diagonal);
     for(int k = 0; k < leaf.degree; ++k)
       m_solver->add_to_rhs(leaf.neighbor[k], leaf.coefficient[k] * shift);
   }
 
-  Level update(int& factorizations) { return m_solver->update(factorizations); }
+  Level update(int& factorizations, bool allow_factorization)
+  {
+    return m_solver->update(factorizations, allow_factorization);
+  }
   bool factorize(int& factorizations) { return m_solver->factorize(factorizations); }
 
   // Calls `visit(i)` for the integers that may have changed since the last call, some of them more than once.
@@ -179,7 +183,8 @@ private:
     for(const Leaf& leaf : m_leaves)
       for(int k = 0; k < leaf.degree; ++k)
         for(int l = 0; l < leaf.degree; ++l)
-          entries.emplace_back(leaf.neighbor[k], leaf.neighbor[l], -leaf.coefficient[k] * leaf.coefficient[l] / leaf.diagonal);
+          entries.emplace_back(leaf.neighbor[k], leaf.neighbor[l],
+                               -leaf.coefficient[k] * leaf.coefficient[l] / leaf.diagonal);
     Eigen::SparseMatrix<double> K(n, n);
     K.setFromTriplets(entries.begin(), entries.end());
     return K;

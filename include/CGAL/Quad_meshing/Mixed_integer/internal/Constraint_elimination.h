@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_CONSTRAINT_ELIMINATION_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_row.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Elimination_number.h>
@@ -50,15 +51,16 @@ class Constraint_elimination
   typedef Elimination_step<NT> Step;
 
 public:
-  Constraint_elimination(const Mixed_integer_problem& problem, double tolerance)
-    : m_size(problem.number_of_variables()), m_tolerance(tolerance), m_is_safe(true)
+  Constraint_elimination(const Mixed_integer_problem& problem, double tolerance, Elimination_order order)
+    : m_size(problem.number_of_variables()), m_tolerance(tolerance), m_order(order), m_is_safe(true)
   {
     for(int i = 0; i < m_size; ++i)
       m_is_integer.push_back(problem.is_integer(i));
     m_columns.resize(m_size);
     for(const Mixed_integer_problem::Linear_constraint& c : problem.equality_constraints())
     {
-      m_rows.emplace_back(c, tolerance);
+      m_rows.emplace_back(c, tolerance, m_is_integer);
+      check_size(m_rows.back());
       for(const Entry& entry : m_rows.back().entries)
       {
         CGAL_precondition(entry.first >= 0 && entry.first < m_size);
@@ -94,19 +96,27 @@ private:
     return false;
   }
 
+  // By how much the right-hand side of a row without coefficients may miss zero, or that of one over integers an
+  // integer.
+  static double tolerance_of(const Row& row) { return row.is_exact ? 0. : row.tolerance; }
+
   void enqueue(int r)
   {
-    const Row& row = m_rows[r];
-    // Rows that may break integer conditions come last, when others may have emptied them.
-    const int rank = (row.is_integral || has_real_variable(row)) ? 0 : 1;
-    m_queue.insert(std::make_tuple(rank, static_cast<int>(row.entries.size()), r));
+    m_queue.insert(place_of(r));
   }
 
   void dequeue(int r)
   {
+    m_queue.erase(place_of(r));
+  }
+
+  std::tuple<int, int, int> place_of(int r) const
+  {
     const Row& row = m_rows[r];
+    // Rows that may break integer conditions come last, when others may have emptied them.
     const int rank = (row.is_integral || has_real_variable(row)) ? 0 : 1;
-    m_queue.erase(std::make_tuple(rank, static_cast<int>(row.entries.size()), r));
+    const int length = m_order == Elimination_order::AS_GIVEN ? 0 : static_cast<int>(row.entries.size());
+    return std::make_tuple(rank, length, r);
   }
 
   void close(int r)
@@ -122,7 +132,7 @@ private:
     {
       const Row& row = m_rows[r];
       const double residual = std::fabs(Number::to_double(row.rhs / row.scale));
-      (residual <= row.tolerance ? result.redundant : result.conflicting).push_back(r);
+      (residual <= tolerance_of(row) ? result.redundant : result.conflicting).push_back(r);
       m_rows[r].is_open = false;
       return;
     }
@@ -134,7 +144,7 @@ private:
     {
       const NT rounded = Number::nearest_integer(m_rows[r].rhs);
       const double residual = std::fabs(Number::to_double((m_rows[r].rhs - rounded) / m_rows[r].scale));
-      if(residual > m_rows[r].tolerance)
+      if(residual > tolerance_of(m_rows[r]))
       {
         result.conflicting.push_back(r);
         close(r);
@@ -212,7 +222,7 @@ private:
       }
     step.others.emplace_back(fresh, NT(-1));
     enqueue(r); // for apply() takes the rows it changes out of the queue and puts them back
-    apply(step, true);
+    apply(step, true, true);
     dequeue(r);
     m_steps.push_back(step);
   }
@@ -228,25 +238,25 @@ private:
     for(std::size_t i = 0; i < row.entries.size(); ++i)
       if(static_cast<int>(i) != pivot)
         step.others.push_back(row.entries[i]);
-    apply(step, row.is_integral);
+    apply(step, row.is_integral, row.is_exact);
     m_steps.push_back(step);
   }
 
   // Eliminates the variable of a step from all open rows.
-  void apply(const Step& step, bool is_integral)
+  void apply(const Step& step, bool is_integral, bool is_exact)
   {
     const std::vector<int> rows(m_columns[step.variable].begin(), m_columns[step.variable].end());
     for(int i : rows)
     {
       dequeue(i);
-      combine(i, step, is_integral);
+      combine(i, step, is_integral, is_exact);
       enqueue(i);
     }
     m_columns[step.variable].clear();
   }
 
   // row := factor * row - multiple * step
-  void combine(int i, const Step& step, bool is_step_integral)
+  void combine(int i, const Step& step, bool is_step_integral, bool is_step_exact)
   {
     // Coefficients of real rows that cancel leave noise of this size, relative to a row's largest.
     const double noise = 1e-12;
@@ -270,6 +280,7 @@ private:
       }
     }
     row.is_integral = stays_integral;
+    row.is_exact = row.is_exact && stays_integral && is_step_exact;
 
     std::vector<Entry> merged;
     merged.reserve(row.entries.size() + step.others.size());
@@ -310,9 +321,17 @@ private:
       row.divide_by_gcd();
     else
       drop_if_negligible(i);
-    if(row.is_integral)
-      for(const Entry& e : row.entries)
-        m_is_safe = m_is_safe && Number::is_safe(e.second);
+    check_size(row);
+  }
+
+  // Rows of integers must not outgrow the number type.
+  void check_size(const Row& row)
+  {
+    if(!row.is_integral)
+      return;
+    for(const Entry& e : row.entries)
+      m_is_safe = m_is_safe && Number::is_safe(e.second);
+    m_is_safe = m_is_safe && (Number::is_safe(row.rhs) || has_real_variable(row));
   }
 
   // A row of reals that is empty up to the tolerance depends on the others.
@@ -329,6 +348,7 @@ private:
 
   int m_size;
   double m_tolerance;
+  Elimination_order m_order;
   bool m_is_safe;
   std::vector<char> m_is_integer;        // originals, then the variables Euclid's algorithm made
   std::vector<Row> m_rows;
@@ -337,16 +357,21 @@ private:
   std::vector<Step> m_steps;
 };
 
-// Eliminates in doubles and, should integers outgrow them, once more in exact rationals.
-inline Eliminated_constraints eliminate_constraints(const Mixed_integer_problem& problem, double tolerance)
+// Eliminates in doubles and, should integers outgrow them or someone need exact numbers, in exact rationals.
+inline Eliminated_constraints eliminate_constraints(const Mixed_integer_problem& problem, double tolerance,
+                                                    Elimination_order order, bool must_be_exact)
 {
   Eliminated_constraints result;
-  Constraint_elimination<double> fast(problem, tolerance);
+  if(must_be_exact)
+  {
+    Constraint_elimination<CGAL::Exact_rational>(problem, tolerance, order).run(result);
+    return result;
+  }
+  Constraint_elimination<double> fast(problem, tolerance, order);
   if(fast.run(result))
     return result;
   result = Eliminated_constraints();
-  Constraint_elimination<CGAL::Exact_rational> exact(problem, tolerance);
-  exact.run(result);
+  Constraint_elimination<CGAL::Exact_rational>(problem, tolerance, order).run(result);
   return result;
 }
 

@@ -32,11 +32,14 @@ struct Constraint_row
   NT rhs;
   NT scale;           // the row is the original one, modulo others, times this
   double tolerance;   // for the right-hand side, in units of the original row
-  bool is_integral;
+  bool is_integral;   // the coefficients are integers
+  bool is_exact;      // so is the right-hand side, and that of all rows that came in
   bool is_open;
 
-  // Rows of integers, or of multiples of integers, are scaled to integers without a common divisor.
-  Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint, double relative_tolerance);
+  // Rows of integers, or of multiples of integers, are scaled to integers without a common divisor. In a row over
+  // integer variables the right-hand side may miss an integer by round-off.
+  Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint, double relative_tolerance,
+                 const std::vector<char>& is_integer_variable);
 
   void divide_by_gcd()
   {
@@ -70,10 +73,17 @@ struct Constraint_row
   }
 };
 
-// Returns a factor that makes all coefficients integers of moderate size, 0 if none was found.
-inline double integral_factor(const std::vector<std::pair<int, double> >& form)
+// A factor that makes all coefficients of a form integers.
+struct Integral_factor
 {
-  const double relative_error = 1e-12;
+  double factor = 0.;    // 0 if none was found
+  bool is_exact = false; // the products are integers as they stand, and not only up to round-off
+};
+
+inline Integral_factor integral_factor(const std::vector<std::pair<int, double> >& form)
+{
+  const double largest_exact = 9007199254740992.;           // 2^53: all smaller integers are doubles
+  const double relative_error = 1e-12, largest_rounded = 1e6; // of fractions that doubles hold only up to round-off
   const int max_denominator = 1000;
   double smallest = 0., largest = 0.;
   for(const std::pair<int, double>& a : form)
@@ -83,29 +93,29 @@ inline double integral_factor(const std::vector<std::pair<int, double> >& form)
       largest = (std::max)(largest, std::fabs(a.second));
     }
   if(smallest == 0.)
-    return 1.;
-  // Powers of two first: they scale without rounding.
-  for(double factor = 1.; factor <= 1048576.; factor *= 2.)
+    return { 1., true };
+  // Powers of two scale without rounding.
+  for(double factor = 1.; factor <= 1048576. && largest * factor <= largest_exact; factor *= 2.)
   {
-    bool ok = largest * factor < 1e6;
+    bool ok = true;
     for(const std::pair<int, double>& a : form)
       ok = ok && std::floor(a.second * factor) == a.second * factor;
     if(ok)
-      return factor;
+      return { factor, true };
   }
   for(int d = 1; d <= max_denominator; ++d)
   {
     const double factor = d / smallest;
-    bool ok = largest * factor < 1e6;
+    bool ok = largest * factor < largest_rounded;
     for(const std::pair<int, double>& a : form)
     {
       const double v = a.second * factor;
       ok = ok && std::fabs(v - std::floor(v + 0.5)) <= relative_error * (std::max)(1., std::fabs(v));
     }
     if(ok)
-      return factor;
+      return { factor, false };
   }
-  return 0.;
+  return {};
 }
 
 // The form with the entries of each variable added up, in ascending order of variables.
@@ -123,13 +133,15 @@ inline Mixed_integer_problem::Linear_form collected(Mixed_integer_problem::Linea
 }
 
 template <typename NT>
-Constraint_row<NT>::Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint, double relative_tolerance)
+Constraint_row<NT>::Constraint_row(const Mixed_integer_problem::Linear_constraint& constraint,
+                                   double relative_tolerance, const std::vector<char>& is_integer_variable)
 {
+  const double round_off = 1e-9; // of a right-hand side, relative to one and to its size
   const Mixed_integer_problem::Linear_form form = collected(constraint.form);
   double largest = 0.;
   for(const std::pair<int, double>& a : form)
     largest = (std::max)(largest, std::fabs(a.second));
-  const double factor = integral_factor(form);
+  const double factor = integral_factor(form).factor;
   is_integral = factor > 0.;
   is_open = true;
   // Rows of reals are brought to a largest coefficient of one, to have a meaning for tolerances.
@@ -146,6 +158,15 @@ Constraint_row<NT>::Constraint_row(const Mixed_integer_problem::Linear_constrain
       value = Number::nearest_integer(value);
     entries.emplace_back(a.first, value);
   }
+  const NT nearest = Number::nearest_integer(rhs);
+  bool has_integers_only = true;
+  for(const Entry& e : entries)
+    has_integers_only = has_integers_only && is_integer_variable[e.first];
+  if(is_integral && has_integers_only &&
+     std::fabs(Number::to_double(rhs - nearest)) <= round_off * (std::max)(1., std::fabs(Number::to_double(rhs))) &&
+     relative_tolerance >= round_off)
+    rhs = nearest;
+  is_exact = is_integral && rhs == nearest;
   if(is_integral)
     divide_by_gcd();
 }

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_DENSE_GREEDY_ROUNDING_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Search_limits.h>
 
 #include <Eigen/Core>
 
@@ -24,8 +25,9 @@ namespace internal {
 // Greedy rounding (thesis 5.2.2) of y in E(y) = 1/2 (y - y*)' S (y - y*): the same roundings as with a new
 // solution of the whole system after each one. With C = S^-1, fixing y_j at k moves the minimizer of the
 // others by C_ij / C_jj (k - y_j), and takes C_ij C_jl / C_jj from C_il: quadratic time per rounding.
-// `factor` is the lower triangular factor of S.
-inline Eigen::VectorXd dense_greedy_rounding(const Eigen::MatrixXd& factor, const Eigen::VectorXd& target)
+// `factor` is the lower triangular factor of S. When the limits end it the rest is rounded at once.
+inline Eigen::VectorXd dense_greedy_rounding(const Eigen::MatrixXd& factor, const Eigen::VectorXd& target,
+                                             Search_limits& limits)
 {
   // Estimates that differ by less than this are tied; the lowest index wins.
   const double tie = 1e-7;
@@ -41,7 +43,8 @@ inline Eigen::VectorXd dense_greedy_rounding(const Eigen::MatrixXd& factor, cons
   for(int i = 0; i < m; ++i)
     open[i] = i;
 
-  for(int count = m; count > 0; --count)
+  int count = m;
+  for(; count > 0 && limits.go_further(); --count)
   {
     double least = 1.;
     for(int p = 0; p < count; ++p)
@@ -65,6 +68,8 @@ inline Eigen::VectorXd dense_greedy_rounding(const Eigen::MatrixXd& factor, cons
     C.topLeftCorner(last, last).noalias() -= c * (c.transpose() / C(last, last));
     y[j] = rounded;
   }
+  for(int p = 0; p < count; ++p)
+    y[open[p]] = nearest_integer(y[open[p]]);
   return y;
 }
 

@@ -26,15 +26,19 @@ namespace Quad_meshing {
 namespace internal {
 
 // Minimizes E(y) = 1/2 (y - y*)' S (y - y*) over integers of any number that a dense S allows, independent components
-// one by one: as a whole, with a proof or a bound, unless a component is very large; and, if there is no proof, in overlapping
-// blocks, each decoded with all other integers fixed, until no block gains. The bound of what is not proven may then be raised by a
-// relaxation.
+// one by one: as a whole, with a proof or a bound, unless a component is very large; and, if there is no proof, in
+// overlapping blocks, each decoded with all other integers fixed, until no block gains. The bound of what is not
+// proven may then be raised by a relaxation.
 class Dense_lattice_rounding
 {
 public:
-  Dense_lattice_rounding(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, double maximum_nodes, int bound_rounds,
-                         const std::function<bool()>& go_further)
-    : m_S(S), m_target(target), m_maximum_nodes(maximum_nodes), m_bound_rounds(bound_rounds), m_go_further(go_further)
+  Dense_lattice_rounding(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, double maximum_nodes,
+                         int bound_rounds, const std::function<bool()>& go_further)
+      : m_S(S)
+      , m_target(target)
+      , m_maximum_nodes(maximum_nodes)
+      , m_bound_rounds(bound_rounds)
+      , m_go_further(go_further)
   {}
 
   // `start` is an integer point to beat.
@@ -119,7 +123,8 @@ private:
       return result;
     }
     const Eigen::MatrixXd R = Eigen::LLT<Eigen::MatrixXd>(S).matrixU();
-    Lattice_rounding rounding(R, target, component.size() > block_size ? whole_fraction * maximum_nodes : maximum_nodes, m_go_further);
+    Lattice_rounding rounding(R, target, component.size() > block_size ? whole_fraction * maximum_nodes : maximum_nodes,
+                              m_go_further);
     result = rounding.run(result.y, true);
     if(result.is_optimal)
       return result;
@@ -133,7 +138,8 @@ private:
       result.y = rounding.reduction().transformation() * z;
       result.cost = cost(S, result.y - target);
     }
-    const double bound = 0.5 * Lattice_bound(reduced, reduced_target, 2 * result.cost).run(m_bound_rounds, m_go_further);
+    const double bound =
+        0.5 * Lattice_bound(reduced, reduced_target, 2 * result.cost).run(m_bound_rounds, m_go_further);
     result.cost_bound = (std::min)(result.cost, (std::max)(result.cost_bound, bound));
     return result;
   }
@@ -144,7 +150,8 @@ private:
   }
 
   // Lowers 1/2 (y - y*)' S (y - y*) block by block, and returns the number of nodes visited.
-  double improve_in_blocks(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, Eigen::VectorXd& y, double maximum_nodes) const
+  double improve_in_blocks(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, Eigen::VectorXd& y,
+                           double maximum_nodes) const
   {
     const int m = static_cast<int>(y.size());
     double nodes = 0.;

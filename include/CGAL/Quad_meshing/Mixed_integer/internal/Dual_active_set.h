@@ -55,7 +55,10 @@ public:
     {
       const int p = most_violated(constraints, is_active, y);
       if(p < 0)
+      {
+        settle(constraints, y);
         return true;
+      }
       if(!activate(constraints, p, is_active, y, cost))
         return false;
     }
@@ -64,7 +67,7 @@ public:
 
 private:
   // Violations below this, relative to the size of the numbers compared, are round-off.
-  static constexpr double tolerance = 1e-9;
+  static constexpr double tolerance = 1e-10;
 
   static int most_violated(const std::vector<Constraint>& constraints, const std::vector<char>& is_active,
                            const Eigen::VectorXd& y)
@@ -75,9 +78,9 @@ private:
     {
       if(is_active[i])
         continue;
-      const double norm = constraints[i].a.norm();
+      const double largest = constraints[i].a.cwiseProduct(y).lpNorm<Eigen::Infinity>();
       const double slack = (constraints[i].a.dot(y) - constraints[i].b)
-                           / (std::max)({ 1., std::fabs(constraints[i].b), norm });
+                           / (std::max)({ 1., std::fabs(constraints[i].b), largest });
       if(slack < least)
       {
         least = slack;
@@ -85,6 +88,21 @@ private:
       }
     }
     return worst;
+  }
+
+  // The way from a minimum far away leaves round-off: takes it out of the active constraints.
+  void settle(const std::vector<Constraint>& constraints, Eigen::VectorXd& y) const
+  {
+    const int q = static_cast<int>(m_active.size()), passes = 2;
+    for(int pass = 0; pass < passes && q > 0; ++pass)
+    {
+      Eigen::VectorXd residual(q);
+      for(int k = 0; k < q; ++k)
+        residual[k] = constraints[m_active[k]].b - constraints[m_active[k]].a.dot(y);
+      // N'J = (R' 0) for the active rows N.
+      m_R.topLeftCorner(q, q).transpose().triangularView<Eigen::Lower>().solveInPlace(residual);
+      y += m_J.leftCols(q) * residual;
+    }
   }
 
   bool activate(const std::vector<Constraint>& constraints, int p, std::vector<char>& is_active,

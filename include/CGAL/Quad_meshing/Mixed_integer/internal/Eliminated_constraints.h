@@ -29,7 +29,20 @@ struct Eliminated_constraints
   std::vector<char> is_integer; // per free variable
   std::vector<int> redundant, conflicting;
   bool is_identity = true; // T is the identity and t is zero
+
+  // The rows of T and the entries of t without rounding, if the elimination was exact.
+  typedef std::vector<std::pair<int, CGAL::Exact_rational> > Exact_row;
+  std::vector<Exact_row> exact_T;
+  std::vector<CGAL::Exact_rational> exact_t;
 };
+
+inline void store_exactly(double, const std::vector<std::pair<int, double> >&, Eliminated_constraints&) {}
+inline void store_exactly(const CGAL::Exact_rational& offset, const Eliminated_constraints::Exact_row& row,
+                          Eliminated_constraints& result)
+{
+  result.exact_T.push_back(row);
+  result.exact_t.push_back(offset);
+}
 
 // x_variable = (rhs - sum of the other entries) / pivot
 template <typename NT>
@@ -42,7 +55,8 @@ struct Elimination_step
   NT pivot, rhs;
 };
 
-// Expresses the first `size` variables by the free ones, last step first. Returns false if an integer coefficient outgrew the number type.
+// Expresses the first `size` variables by the free ones, last step first. Returns false if an integer coefficient
+// outgrew the number type.
 template <typename NT>
 bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std::vector<char>& is_integer, int size,
                      Eliminated_constraints& result)
@@ -95,6 +109,8 @@ bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std:
         add(f.first, e.second * f.second);
     }
     offset[s] = constant / step.pivot;
+    if(is_integer[step.variable] && !Number::is_safe(offset[s]))
+      return false;
     std::sort(touched.begin(), touched.end());
     for(int c : touched)
     {
@@ -118,9 +134,11 @@ bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std:
     if(s < 0)
     {
       triplets.emplace_back(v, column[v], 1.);
+      store_exactly(NT(0), std::vector<Entry>(1, Entry(column[v], NT(1))), result);
       continue;
     }
     result.t[v] = Number::to_double(offset[s]);
+    store_exactly(offset[s], expression[s], result);
     for(const Entry& e : expression[s])
       triplets.emplace_back(v, e.first, Number::to_double(e.second));
   }

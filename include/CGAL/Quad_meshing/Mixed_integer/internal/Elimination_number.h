@@ -66,6 +66,14 @@ struct Elimination_number<CGAL::Exact_rational>
     return n;
   }
 
+  static Integer denominator(const Rational& a)
+  {
+    typename Fraction::Numerator_type n;
+    typename Fraction::Denominator_type d;
+    typename Fraction::Decompose()(a, n, d);
+    return d;
+  }
+
   static Integer floor(const Rational& a)
   {
     typename Fraction::Numerator_type n;

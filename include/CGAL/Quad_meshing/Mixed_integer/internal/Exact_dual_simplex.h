@@ -29,28 +29,40 @@ namespace internal {
 // - the slacks of the other, basic constraints, in `m_slacks`,
 // each row as first + sum_j row_j t_j. The columns of `m_values` stay lexicographically positive: the tableau is
 // dual feasible, and the method finds the lexicographically smallest solution, in finitely many steps.
+//
+// The method starts from bounds of all variables. Those that stand in for missing ones are called artificial, and so
+// are cuts that rest on them: `rests_on_artificial_bounds()` tells whether the last answer would be another one
+// without them.
 class Exact_dual_simplex
 {
 public:
   typedef CGAL::Exact_rational Rational;
   typedef Elimination_number<Rational> Number;
 
+  struct Bound
+  {
+    Rational value;
+    bool is_artificial = false;
+  };
+
   // The variables and their bounds; all of them are bounded. `objective` is minimized.
-  Exact_dual_simplex(const std::vector<Rational>& objective, const std::vector<Rational>& lower,
-                     const std::vector<Rational>& upper, const std::vector<char>& is_integer)
+  Exact_dual_simplex(const std::vector<Rational>& objective, const std::vector<Bound>& lower,
+                     const std::vector<Bound>& upper, const std::vector<char>& is_integer)
     : m_is_integer(is_integer), m_sign(objective.size(), 1)
   {
     const std::size_t n = objective.size();
     m_values.assign(n + 1, Row(n));
     m_column_is_integer = is_integer;
     m_column_is_cut.assign(n, 0);
+    m_column_is_artificial.assign(n, 0);
     for(std::size_t j = 0; j < n; ++j)
     {
       // Each variable starts at the bound that its coefficient prefers: t = x - lower or t = upper - x. Variables
       // that start from above are mirrored in the tableau, which keeps their columns positive.
       const bool from_above = CGAL::is_negative(objective[j]);
       m_sign[j] = from_above ? -1 : 1;
-      const Rational& start = from_above ? upper[j] : lower[j];
+      const Rational& start = from_above ? upper[j].value : lower[j].value;
+      m_column_is_artificial[j] = (from_above ? upper[j] : lower[j]).is_artificial;
       m_values[0].first += objective[j] * start;
       m_values[0].row[j] = from_above ? Rational(-objective[j]) : objective[j];
       m_values[j + 1].first = from_above ? Rational(-start) : start;
@@ -61,7 +73,8 @@ public:
       Slack slack;
       slack.is_integer = is_integer[j];
       slack.row = Row(n);
-      slack.row.first = upper[j] - lower[j];
+      slack.row.first = upper[j].value - lower[j].value;
+      slack.is_artificial = (m_sign[j] < 0 ? lower[j] : upper[j]).is_artificial;
       slack.row.row[j] = Rational(-1);
       m_slacks.push_back(slack);
     }
@@ -89,28 +102,47 @@ public:
     add_constraint(a, is_upper ? value : Rational(-value), m_is_integer[i]);
   }
 
-  // Restores optimality. Returns false if no point meets the constraints.
-  bool solve()
+  // Restores optimality. Returns false if no point meets the constraints, or if told to stop.
+  template <typename Go_further>
+  bool solve(const Go_further& go_further)
   {
+    m_rests_on_artificial_bounds = false;
     for(;;)
     {
+      if(!go_further())
+      {
+        m_rests_on_artificial_bounds = true;
+        return false;
+      }
       std::size_t leaving = m_slacks.size();
       for(std::size_t r = 0; r < m_slacks.size(); ++r)
         if(CGAL::is_negative(m_slacks[r].row.first) &&
            (leaving == m_slacks.size() || m_slacks[r].row.first < m_slacks[leaving].row.first))
           leaving = r;
       if(leaving == m_slacks.size())
+      {
+        // The reduced costs prove the optimum.
+        m_rests_on_artificial_bounds = uses_artificial_columns(m_values[0].row);
         return true;
+      }
       int entering = -1;
       for(std::size_t j = 0; j < m_column_is_integer.size(); ++j)
         if(CGAL::is_positive(m_slacks[leaving].row.row[j]) &&
            (entering < 0 || is_smaller_column(static_cast<int>(j), entering, m_slacks[leaving].row.row)))
           entering = static_cast<int>(j);
       if(entering < 0)
+      {
+        // The row proves that there is no point.
+        m_rests_on_artificial_bounds =
+            m_slacks[leaving].is_artificial || uses_artificial_columns(m_slacks[leaving].row.row);
         return false;
+      }
       pivot(leaving, entering);
     }
   }
+
+  // Whether the last answer may be another one without the artificial bounds, or is none, as it was told to stop.
+  bool rests_on_artificial_bounds() const { return m_rests_on_artificial_bounds; }
 
   const Rational& objective() const { return m_values[0].first; }
   Rational value(int i) const
@@ -182,7 +214,16 @@ private:
     Row row;
     bool is_integer = false;
     bool is_cut = false;
+    bool is_artificial = false;
   };
+
+  bool uses_artificial_columns(const std::vector<Rational>& row) const
+  {
+    for(std::size_t j = 0; j < row.size(); ++j)
+      if(m_column_is_artificial[j] && !CGAL::is_zero(row[j]))
+        return true;
+    return false;
+  }
 
   bool all_columns_are_integers() const
   {
@@ -230,6 +271,9 @@ private:
         substitute(m_slacks[i].row);
     m_slacks[r].row = entering;
     const bool was_integer = m_slacks[r].is_integer, was_cut = m_slacks[r].is_cut;
+    const bool was_artificial = m_slacks[r].is_artificial;
+    m_slacks[r].is_artificial = m_column_is_artificial[j] != 0;
+    m_column_is_artificial[j] = was_artificial;
     m_slacks[r].is_integer = m_column_is_integer[j] != 0;
     m_slacks[r].is_cut = m_column_is_cut[j] != 0;
     m_column_is_integer[j] = was_integer;
@@ -266,6 +310,7 @@ private:
         c = CGAL::is_negative(a) ? Rational(f / (Rational(1) - f) * (-a)) : a;
       cut.row.row[j] = is_fractional ? c : Rational(-Rational(Number::floor(-c * grid)) / grid);
     }
+    cut.is_artificial = uses_artificial_columns(source.row);
     m_slacks.push_back(cut);
   }
 
@@ -273,7 +318,8 @@ private:
   std::vector<int> m_sign;        // -1 for variables stored as their opposites
   std::vector<Row> m_values;
   std::vector<Slack> m_slacks;
-  std::vector<char> m_column_is_integer, m_column_is_cut;
+  std::vector<char> m_column_is_integer, m_column_is_cut, m_column_is_artificial;
+  bool m_rests_on_artificial_bounds = false;
 };
 
 } // namespace internal

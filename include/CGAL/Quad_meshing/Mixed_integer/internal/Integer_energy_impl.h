@@ -68,7 +68,7 @@ Integer_energy::factorize(const Matrix& A, const Eigen::VectorXd& b, const std::
 }
 
 CGAL_QUAD_MESHING_INLINE bool
-Integer_energy::compute(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+Integer_energy::reduce(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
 {
   if(!factorize(A, b, is_integer))
     return false;
@@ -78,6 +78,14 @@ Integer_energy::compute(const Matrix& A, const Eigen::VectorXd& b, const std::ve
   const Eigen::VectorXd x0 = m_solver.solve(m_rhs_of_reals);
   m_c = internal::subvector(m_b, m_integers) - m_coupling.transpose() * x0;
   m_constant = -0.5 * m_rhs_of_reals.dot(x0);
+  return true;
+}
+
+CGAL_QUAD_MESHING_INLINE bool
+Integer_energy::compute(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+{
+  if(!reduce(A, b, is_integer))
+    return false;
   if(!invert_or_shift())
     return false;
   m_target = m_c;

@@ -25,19 +25,22 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A lower bound of |R (z - t)|^2 over all integer z where enumerations cannot reach: the semidefinite relaxation by slabs that hold
-// no lattice point, in rounds. Every round keeps the slabs that the last relaxation rests on and adds those that its solution violates
-// most, in terms of distance: so short vectors come first.
+// A lower bound of |R (z - t)|^2 over all integer z where enumerations cannot reach: the semidefinite relaxation by
+// slabs that hold no lattice point, in rounds. Every round keeps the slabs that the last relaxation rests on and adds
+// those that its solution violates most, in terms of distance: so short vectors come first.
 //
-// A slab across the integer vector a is violated by a distribution where the integer a'z varies less than integers can. Short vectors of
-// the dual lattice in the form of the covariance are such, so this lattice is reduced anew in each round; sums and differences of
-// the reduced vectors and of those of the slabs at hand are tried.
+// A slab across the integer vector a is violated by a distribution where the integer a'z varies less than integers
+// can. Short vectors of the dual lattice in the form of the covariance are such, so this lattice is reduced anew in
+// each round; sums and differences of the reduced vectors and of those of the slabs at hand are tried.
 class Lattice_bound
 {
 public:
   // R is upper triangular, best from a reduced basis. `squared_distance` is that of a known point, and not zero.
   Lattice_bound(const Eigen::MatrixXd& R, const Eigen::VectorXd& target, double squared_distance)
-    : m_R(R / std::sqrt(squared_distance)), m_target(target), m_unit(squared_distance), m_size(static_cast<int>(target.size()))
+      : m_R(R / std::sqrt(squared_distance))
+      , m_target(target)
+      , m_unit(squared_distance)
+      , m_size(static_cast<int>(target.size()))
   {}
 
   // Returns the bound, at least zero.
@@ -45,7 +48,8 @@ public:
   {
     const double accuracy = 0.01, last_accuracy = 0.001;
 
-    // Before the first relaxation it is as if the points were spread evenly around the target, half as far as the known one.
+    // Before the first relaxation it is as if the points were spread evenly around the target, half as far as the
+    // known one.
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(m_size);
     Eigen::MatrixXd precision = 2 * std::sqrt(1. * m_size) * Eigen::MatrixXd::Identity(m_size, m_size);
     double best = 0;
@@ -114,7 +118,8 @@ private:
   {
     // The inverse transpose is lower triangular; in reverse order it is upper triangular.
     const int m = static_cast<int>(R.rows());
-    const Eigen::MatrixXd inverse = R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(m, m)));
+    const Eigen::MatrixXd inverse =
+        R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(m, m)));
     Lattice_reduction reduction(inverse.transpose().reverse());
     reduction.run(0, 0, []() { return true; }); // no blocks: LLL
     return reduction.transformation().colwise().reverse();
@@ -127,8 +132,8 @@ private:
     return half.transpose() * half;
   }
 
-  // Adds the slabs that reach farthest beyond the normal distribution of y = R (z - t) with this mean and the factor of the inverse of its
-  // covariance: as many as there are integers. Returns false if there is none.
+  // Adds the slabs that reach farthest beyond the normal distribution of y = R (z - t) with this mean and the factor
+  // of the inverse of its covariance: as many as there are integers. Returns false if there is none.
   bool add_violated(const Eigen::VectorXd& mean, const Eigen::MatrixXd& precision)
   {
     const double least_lack = 1e-3; // slabs ask for 1/4

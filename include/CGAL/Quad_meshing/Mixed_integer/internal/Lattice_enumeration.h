@@ -127,7 +127,8 @@ public:
     };
 
     long long nodes = 0, next_question = question_interval;
-    const long long limit = maximum_nodes < 9e18 ? static_cast<long long>(maximum_nodes) : (std::numeric_limits<long long>::max)();
+    const long long limit =
+        maximum_nodes < 9e18 ? static_cast<long long>(maximum_nodes) : (std::numeric_limits<long long>::max)();
     int k = m - 1;
     start_level(k, m_center[k]);
     for(;;)

@@ -45,9 +45,9 @@ public:
   // Returns false if told to stop.
   bool run(int block_size, int tours, const std::function<bool()>& go_further)
   {
-    lll(0, m_size);
+    lll(0, m_size, go_further);
     refresh();
-    lll(0, m_size);
+    lll(0, m_size, go_further);
     for(int tour = 0; tour < tours && m_is_safe; ++tour)
     {
       bool changed = false;
@@ -138,11 +138,11 @@ private:
 
   // LLL on the vectors begin, ..., end - 1, projected off those before. A vector is reduced by its predecessor
   // before the test, by the others only once its place is found.
-  void lll(int begin, int end)
+  void lll(int begin, int end, const std::function<bool()>& go_further)
   {
     const double delta = 0.999;
     int k = begin + 1;
-    while(k < end && m_is_safe)
+    while(k < end && m_is_safe && go_further())
     {
       reduce(k, k - 1);
       const double previous = m_R(k - 1, k - 1) * m_R(k - 1, k - 1);
@@ -184,7 +184,7 @@ private:
         swap_with_previous(k + i);
       }
     }
-    lll(k > 0 ? k - 1 : 0, (std::min)(k + size, m_size));
+    lll(k > 0 ? k - 1 : 0, (std::min)(k + size, m_size), go_further);
     for(int i = k; i < m_size && m_is_safe; ++i)
       for(int j = i - 1; j >= 0 && m_is_safe; --j)
         reduce(i, j);

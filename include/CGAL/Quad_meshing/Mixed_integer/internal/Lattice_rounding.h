@@ -35,10 +35,10 @@ struct Lattice_result
 
 // The closest-vector problem of a dense energy: min 1/2 (y - y*)' S (y - y*) over integer y.
 //
-// Reduces the lattice of R, S = R'R; takes the better of the nearest plane and a given start. If the whole tree promises
-// to fit in the limit it is searched, which proves the optimum. Otherwise trees pruned less and less are searched for
-// better points, and the rest of the nodes goes into a bound: a complete search that finds nothing within a
-// radius proves that no point lies there.
+// Reduces the lattice of R, S = R'R; takes the better of the nearest plane and a given start. If the whole tree
+// promises to fit in the limit it is searched, which proves the optimum. Otherwise trees pruned less and less are
+// searched for better points, and the rest of the nodes goes into a bound: a complete search that finds nothing
+// within a radius proves that no point lies there.
 class Lattice_rounding
 {
 public:
@@ -129,8 +129,9 @@ private:
     return m_correction * enumeration.expected_nodes(m_radius) <= estimate_slack * nodes;
   }
 
-  // Searches balls of growing radius as a whole, until `nodes` have been visited in all or the optimum is proven. How much larger their
-  // trees are than the Gaussian heuristic says (much, if the basis is almost orthogonal) tells how far the next radius may reach.
+  // Searches balls of growing radius as a whole, until `nodes` have been visited in all or the optimum is proven. How
+  // much larger their trees are than the Gaussian heuristic says (much, if the basis is almost orthogonal) tells how
+  // far the next radius may reach.
   void prove(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double nodes)
   {
     const double growth = 10.;       // of the trees from one ball to the next

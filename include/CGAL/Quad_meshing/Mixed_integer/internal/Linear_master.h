@@ -10,10 +10,11 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_LINEAR_MASTER_H
 
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Bounded_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Convex_quadratic.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dual_active_set.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Elimination_number.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Exact_dual_simplex.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <cmath>
@@ -24,46 +25,46 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A convex objective over the variables of a `Bounded_problem`, given to linear programs as tangent planes
-// (thesis 4.2, extension to nonlinear problems): either linear, c'y + constant, or quadratic,
-// E(y) = 1/2 (y - y*)' S (y - y*) + constant. In linear programs a quadratic objective is one more variable, eta,
-// after those of the problem, that lies above all tangent planes.
+// A convex objective over the variables of a `Bounded_problem`, given to linear programs as tangent planes ([Bom12,
+// 4.2], extension to nonlinear problems): either linear, c'y + constant, or quadratic. In linear programs a quadratic
+// objective is one more variable, eta, after those of the problem, that lies above all tangent planes.
 class Linear_master
 {
 public:
   typedef CGAL::Exact_rational Rational;
 
-  // A linear objective.
-  Linear_master(const Bounded_problem& problem, const Eigen::VectorXd& c, double constant)
-    : m_problem(problem), m_is_linear(true), m_linear(c), m_constant(constant)
+  // A linear objective. Missing bounds of variables are replaced by the artificial ones -`box` and `box`.
+  Linear_master(const Bounded_problem& problem, const Eigen::VectorXd& c, double constant, const Rational& box)
+    : m_problem(problem), m_linear(c), m_constant(constant), m_box(box)
   {}
 
-  // A quadratic objective. `radius` bounds the energy over its minimum of the points that matter.
-  Linear_master(const Bounded_problem& problem, const Eigen::MatrixXd& S, const Eigen::VectorXd& target,
-                double constant, double radius)
-    : m_problem(problem), m_is_linear(false), m_constant(constant), m_S(S), m_target(target), m_cholesky(S)
-    , m_radius(radius)
-  {
-    const Eigen::MatrixXd L = m_cholesky.matrixL();
-    m_inverse_factor = L.triangularView<Eigen::Lower>().solve(
-      Eigen::MatrixXd::Identity(S.rows(), S.cols())).transpose();
-  }
+  // A quadratic objective. `radius` bounds the energy over its minimum of the points that matter, `least_energy` is a
+  // lower bound.
+  Linear_master(const Bounded_problem& problem, Convex_quadratic& quadratic, double radius, double least_energy,
+                const Rational& box)
+      : m_problem(problem)
+      , m_quadratic(&quadratic)
+      , m_constant(quadratic.constant())
+      , m_radius(radius)
+      , m_least_energy(least_energy)
+      , m_box(box)
+  {}
 
-  bool is_linear() const { return m_is_linear; }
+  bool is_linear() const { return m_quadratic == nullptr; }
   const Bounded_problem& problem() const { return m_problem; }
 
   double energy(const Eigen::VectorXd& y) const
   {
-    if(m_is_linear)
-      return m_linear.dot(y) + m_constant;
-    const Eigen::VectorXd d = y - m_target;
-    return m_constant + 0.5 * d.dot(m_S * d);
+    return is_linear() ? m_linear.dot(y) + m_constant : m_quadratic->energy(y);
   }
+
+  // Round-off of energies is relative to this.
+  double magnitude() const { return is_linear() ? 1. : m_quadratic->magnitude(); }
 
   // Whether all variables are integers and so are the values of a linear objective, up to its constant.
   bool has_integer_objective() const
   {
-    if(!m_is_linear)
+    if(!is_linear())
       return false;
     for(int i = 0; i < m_problem.size(); ++i)
       if(!m_problem.is_integer[i] || std::floor(m_linear[i]) != m_linear[i])
@@ -71,147 +72,146 @@ public:
     return true;
   }
 
-  // Whether y lies at a bound that stands in for a missing one.
-  bool is_at_artificial_bound(const Eigen::VectorXd& y) const
-  {
-    if(!m_is_linear)
-      return false;
-    for(int i = 0; i < m_problem.size(); ++i)
-      if(std::fabs(y[i]) >= artificial_bound && m_linear[i] != 0.)
-        return true;
-    return false;
-  }
-
   // The relaxation, without tangent planes.
   Exact_dual_simplex make_program() const
   {
+    typedef Exact_dual_simplex::Bound Bound;
     const int n = m_problem.size();
-    std::vector<Rational> objective, lower, upper;
+    std::vector<Rational> objective;
+    std::vector<Bound> lower, upper;
     std::vector<char> is_integer = m_problem.is_integer;
+    // |y_i - y*_i| <= sqrt(2 radius (S^-1)_ii) where the energy is that small; rounded outwards.
+    Eigen::VectorXd reach;
+    if(!is_linear() && m_quadratic->is_definite() && m_radius < std::numeric_limits<double>::infinity())
+      reach = (2. * m_radius * m_quadratic->inverse_diagonal()).cwiseSqrt();
     for(int i = 0; i < n; ++i)
     {
-      objective.push_back(m_is_linear ? Rational(m_linear[i]) : Rational(0));
-      double reach = artificial_bound, center = 0.;
-      if(!m_is_linear && m_radius < std::numeric_limits<double>::infinity())
+      objective.push_back(is_linear() ? Rational(m_linear[i]) : Rational(0));
+      Bound low{ -m_box, true }, high{ m_box, true };
+      if(reach.size() > 0)
       {
-        // |y_i - y*_i| <= sqrt(2 radius (S^-1)_ii) where the energy is that small; rounded outwards.
-        reach = std::ceil(std::sqrt(2. * m_radius) * m_inverse_factor.row(i).norm() * (1. + 1e-9)) + 1.;
-        center = std::floor(m_target[i] + 0.5);
+        const double r = std::ceil(reach[i] * (1. + 1e-9)) + 1., center = std::floor(m_quadratic->target()[i] + 0.5);
+        low = Bound{ Rational(center - r), false };
+        high = Bound{ Rational(center + r), false };
       }
-      lower.push_back(Rational((std::max)(m_problem.lower[i], center - reach)));
-      upper.push_back(Rational((std::min)(m_problem.upper[i], center + reach)));
-      if(upper.back() < lower.back())
-        upper.back() = lower.back();
+      if(m_problem.has_lower(i) && (low.is_artificial || m_problem.exact_lower[i] > low.value))
+        low = Bound{ m_problem.exact_lower[i], false };
+      if(m_problem.has_upper(i) && (high.is_artificial || m_problem.exact_upper[i] < high.value))
+        high = Bound{ m_problem.exact_upper[i], false };
+      // An artificial bound on the wrong side of a real one moves away from it.
+      if(low.is_artificial && high.value < Rational(0))
+        low.value += high.value;
+      if(high.is_artificial && low.value > Rational(0))
+        high.value += low.value;
+      if(m_problem.is_integer[i] && low.is_artificial)
+        low.value = Rational(Elimination_number<Rational>::floor(low.value));
+      if(m_problem.is_integer[i] && high.is_artificial)
+        high.value = Rational(Elimination_number<Rational>::floor(high.value));
+      if(high.value < low.value) // no point is near enough: the program finds that out by itself
+        high.value = low.value;
+      lower.push_back(low);
+      upper.push_back(high);
     }
-    if(!m_is_linear)
+    if(!is_linear())
     {
       objective.push_back(Rational(1));
-      lower.push_back(Rational(std::floor(m_constant) - 1.));
-      upper.push_back(Rational(artificial_energy));
+      const bool is_bounded = m_least_energy > -std::numeric_limits<double>::infinity();
+      lower.push_back(is_bounded ? Bound{Rational(std::floor(m_least_energy) - 1.), false}
+                                 : Bound{-m_box * m_box, true});
+      upper.push_back(Bound{ lower.back().value + m_box * m_box, true });
       is_integer.push_back(0);
     }
     Exact_dual_simplex program(objective, lower, upper, is_integer);
-    for(int r = 0; r < m_problem.G.rows(); ++r)
-      add_row(program, r);
+    for(const Bounded_problem::Row& row : m_problem.rows)
+    {
+      std::vector<Rational> a(objective.size(), Rational(0));
+      for(const std::pair<int, Rational>& e : row.form)
+        a[e.first] = e.second;
+      program.add_constraint(a, row.rhs, row.is_integral);
+    }
     return program;
   }
 
-  // The plane that touches the energy near `y`. Its slope is rounded, for short rationals, and its height rounded
-  // down: it never cuts a point off.
+  // The plane that touches the energy near `y`. It never cuts a point off: its numbers are those of a point rounded
+  // for short rationals, or its slope is rounded and its height is rounded down.
   void tangent(const Eigen::VectorXd& y, std::vector<Rational>& a, Rational& b) const
   {
-    const double grid = 1. / 65536.; // 2^-16, of the largest slope
-    Eigen::VectorXd slope = m_S * (y - m_target);
-    const double scale = std::exp2(std::ceil(std::log2((std::max)(1., slope.cwiseAbs().maxCoeff()))));
-    slope = (slope / (grid * scale)).array().round() * (grid * scale);
-    const double height = m_constant - 0.5 * slope.dot(m_cholesky.solve(slope)) - slope.dot(m_target);
-    const double round_off = 1e-12 * (std::fabs(m_constant) + std::fabs(slope.dot(m_target)) + 1.);
-    // eta >= height + slope'y, as slope'y - eta <= -height
+    const double grid = 1. / 65536.; // 2^-16, of a coordinate or of the largest slope
+    const double relative_round_off = 1e-12;
+    const Eigen::MatrixXd& S = m_quadratic->matrix();
+    const Eigen::VectorXd& c = m_quadratic->linear_term();
     a.clear();
-    for(int i = 0; i < slope.size(); ++i)
-      a.push_back(Rational(slope[i]));
+    if(m_quadratic->is_definite())
+    {
+      Eigen::VectorXd slope = S * (y - m_quadratic->target());
+      const double scale = std::exp2(std::ceil(std::log2((std::max)(1., slope.cwiseAbs().maxCoeff()))));
+      slope = (slope / (grid * scale)).array().round() * (grid * scale);
+      const double base = m_quadratic->energy(m_quadratic->target());
+      const double height = base - 0.5 * slope.dot(m_quadratic->solve(slope)) - slope.dot(m_quadratic->target());
+      const double round_off =
+          relative_round_off * (m_quadratic->magnitude() + std::fabs(slope.dot(m_quadratic->target())));
+      // eta >= height + slope'y, as slope'y - eta <= -height
+      for(int i = 0; i < slope.size(); ++i)
+        a.push_back(Rational(slope[i]));
+      const double height_grid = grid * grid * scale;
+      b = -Rational(std::floor((height - round_off) / height_grid) * height_grid);
+    }
+    else
+    {
+      const Eigen::VectorXd p = (y / grid).array().round() * grid;
+      std::vector<Rational> at;
+      for(int i = 0; i < p.size(); ++i)
+        at.push_back(Rational(p[i]));
+      // E(y) >= E(p) + (Sp - c)'(y - p) = slope'y + constant - 1/2 p'Sp
+      Rational curved(0);
+      for(int i = 0; i < p.size(); ++i)
+      {
+        Rational sum(0);
+        for(int j = 0; j < p.size(); ++j)
+          sum += Rational(S(i, j)) * at[j];
+        curved += sum * at[i];
+        a.push_back(sum - Rational(c[i]));
+      }
+      b = curved / Rational(2) - Rational(m_constant) + Rational(relative_round_off * m_quadratic->magnitude());
+    }
     a.push_back(Rational(-1));
-    const double height_grid = grid * grid * scale;
-    b = -Rational(std::floor((height - round_off) / height_grid) * height_grid);
   }
 
-  // The minimum of a quadratic objective between other bounds, integer conditions aside. Returns false if there
-  // is no such point.
-  bool relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, Eigen::VectorXd& y, double& value) const
+  // The minimum of a quadratic objective between other bounds, integer conditions aside.
+  Convex_quadratic::Minimum relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) const
   {
     std::vector<Dual_active_set::Constraint> constraints;
     if(!make_constraints(m_problem, lower, upper, constraints))
-      return false;
-    Dual_active_set quadratic(m_inverse_factor, m_target);
-    if(!quadratic.solve(constraints, y, value))
-      return false;
-    value += m_constant;
-    return true;
+      return Convex_quadratic::Minimum();
+    return m_quadratic->minimize(constraints);
   }
 
   // The best point with the integers of `y`, rounded. Returns false if there is none.
   bool polish(const Eigen::VectorXd& y, Eigen::VectorXd& polished, double& value) const
   {
-    Eigen::VectorXd lower = m_problem.lower, upper = m_problem.upper, rounded = y;
+    polished = y;
     for(int i = 0; i < m_problem.size(); ++i)
       if(m_problem.is_integer[i])
-        rounded[i] = lower[i] = upper[i] = std::floor(y[i] + 0.5);
-    polished = rounded;
-    if(!m_is_linear)
+        polished[i] = std::floor(y[i] + 0.5);
+    if(!is_linear())
     {
-      if(!relax(lower, upper, polished, value))
+      const Convex_quadratic::Minimum minimum = complete_reals(m_problem, *m_quadratic, polished);
+      if(!minimum.is_feasible)
         return false;
-      for(int i = 0; i < m_problem.size(); ++i)
-        if(m_problem.is_integer[i])
-          polished[i] = rounded[i];
+      polished = minimum.y;
     }
     value = energy(polished);
-    return true;
+    return m_problem.is_met_by(polished);
   }
 
 private:
-  // Stand-ins for missing bounds. Solutions of linear programs that reach them are unbounded.
-  static constexpr double artificial_bound = 1048576.;       // 2^20
-  static constexpr double artificial_energy = 1099511627776.; // 2^40
-
-  void add_row(Exact_dual_simplex& program, int r) const
-  {
-    const double tolerance = 1e-9; // of a constraint of integers, relative to one and to its right-hand side
-    std::vector<Rational> a;
-    bool is_integral = true;
-    double factor = 1.;
-    // Powers of two that make the coefficients integers do not change the constraint.
-    const double largest_factor = 1048576.;
-    for(; factor <= largest_factor; factor *= 2.)
-    {
-      is_integral = true;
-      for(int i = 0; i < m_problem.size(); ++i)
-        is_integral = is_integral && (m_problem.G(r, i) == 0. ||
-          (m_problem.is_integer[i] && std::floor(m_problem.G(r, i) * factor) == m_problem.G(r, i) * factor));
-      if(is_integral)
-        break;
-    }
-    if(!is_integral)
-      factor = 1.;
-    for(int i = 0; i < m_problem.size(); ++i)
-      a.push_back(Rational(m_problem.G(r, i) * factor));
-    double b = m_problem.h[r] * factor;
-    if(is_integral)
-      b = std::floor(b + tolerance * (std::max)(1., std::fabs(b)));
-    if(!m_is_linear)
-      a.push_back(Rational(0));
-    program.add_constraint(a, Rational(b), is_integral);
-  }
-
   const Bounded_problem& m_problem;
-  bool m_is_linear;
+  Convex_quadratic* m_quadratic = nullptr;
   Eigen::VectorXd m_linear;
   double m_constant;
-  Eigen::MatrixXd m_S;
-  Eigen::VectorXd m_target;
-  Eigen::LLT<Eigen::MatrixXd> m_cholesky;
-  Eigen::MatrixXd m_inverse_factor;
   double m_radius = std::numeric_limits<double>::infinity();
+  double m_least_energy = -std::numeric_limits<double>::infinity();
+  Rational m_box;
 };
 
 } // namespace internal

@@ -12,16 +12,17 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Branch_and_bound.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Branch_and_cut.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_elimination.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_greedy_rounding.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Dense_lattice_rounding.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Exact_verification.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/General_methods.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Reduced_problem.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Search_limits.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Sparse_rounding.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -37,8 +38,12 @@ class Mixed_integer_solver
 public:
   // `linear_solver` shows how to solve.
   Mixed_integer_solver(const Mixed_integer_problem& problem, const Solver_options& options,
-                       const Sparse_cholesky<double>& linear_solver)
-    : m_problem(problem), m_options(options), m_linear_solver(linear_solver)
+                       const Sparse_cholesky<double>& linear_solver, Search_limits& limits)
+    : m_problem(problem)
+    , m_options(options)
+    , m_linear_solver(linear_solver)
+    , m_limits(limits)
+    , m_go_further([&limits] { return limits.go_further(); })
   {}
 
   Mixed_integer_solution solve()
@@ -53,10 +58,12 @@ public:
       return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
 
-    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance);
+    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance, m_options.elimination_order,
+                                          m_options.method >= Rounding_method::BRANCH_AND_BOUND);
     m_solution.redundant_constraints = m_constraints.redundant;
     m_solution.conflicting_constraints = m_constraints.conflicting;
     m_reduced = reduce(m_A, m_b, m_problem.constant(), m_constraints);
+    m_solution.matrix_entries = static_cast<double>(m_reduced.A.nonZeros());
     m_solution.free_variables = m_reduced.size();
     m_solution.free_integers = static_cast<int>(m_reduced.integers.size());
 
@@ -66,7 +73,7 @@ public:
       case Rounding_method::RELAXED: run_relaxed(); break;
       case Rounding_method::DIRECT: m_ran = direct_rounding(m_linear_solver, m_reduced, m_z, m_solution); break;
       case Rounding_method::NAIVE:
-        m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options);
+        m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits);
         break;
       case Rounding_method::GREEDY: run_greedy(); break;
       case Rounding_method::LATTICE: run_lattice(); break;
@@ -101,6 +108,8 @@ private:
   {
     m_solution.status = status;
     m_solution.message = message;
+    m_solution.x.resize(0);
+    m_solution.energy = std::numeric_limits<double>::quiet_NaN();
     return m_solution;
   }
 
@@ -119,17 +128,44 @@ private:
     return static_cast<int>(m_reduced.integers.size()) <= m_options.maximum_dense_integers;
   }
 
+  // Whether naive rounding, which gives the same result as dense updates, is expected to take less time than these.
+  bool is_naive_cheaper() const
+  {
+    const double few_integers = 200.; // dense updates of so many take milliseconds
+    // Operations per second of dense and of sparse code, their ratio is what counts: measured with fields and maps.
+    const double dense_speed = 3., sparse_speed = 1.;
+    const double columns_at_once = 64.; // of `Three_level_solver::fix_exactly()`, half of them on average
+    const double m = static_cast<double>(m_reduced.integers.size()), n = m_reduced.size();
+    if(m <= few_integers)
+      return false;
+    Sparse_cholesky<double> symbolic = m_linear_solver.make_another();
+    symbolic.analyze(m_reduced.A);
+    const double entries = symbolic.number_of_entries();
+    if(entries == 0.)
+      return false;
+    // The complement over the integers, its factor and inverse, and the updates; against solutions and products with
+    // columns.
+    const double dense = m * m * (n - m) + 3. * m * m * m;
+    const double naive = m * (4. * entries + columns_at_once * n) + m / columns_at_once * entries * entries / n;
+    return naive / sparse_speed < dense / dense_speed;
+  }
+
   void run_greedy()
   {
+    if(has_few_integers() && is_naive_cheaper())
+    {
+      m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits);
+      return;
+    }
     if(!has_few_integers())
     {
-      m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options);
+      m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options, m_limits);
       return;
     }
     Integer_energy schur(m_linear_solver);
     if(!keep_integers(schur))
       return;
-    m_z = schur.complete(dense_greedy_rounding(schur.factor(), schur.target()));
+    m_z = schur.complete(dense_greedy_rounding(schur.factor(), schur.target(), m_limits));
     m_solution.dense_roundings = schur.size();
   }
 
@@ -152,17 +188,6 @@ private:
     return m_ran;
   }
 
-  // Asks the visitor and the clock.
-  std::function<bool()> limits()
-  {
-    const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-    return [this, begin]()
-    {
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      return seconds < m_options.maximum_running_time && m_options.go_further(0.5);
-    };
-  }
-
   void run_lattice()
   {
     if(!has_few_integers())
@@ -173,13 +198,16 @@ private:
     Integer_energy schur(m_linear_solver);
     if(!keep_integers(schur))
       return;
-    const std::function<bool()> go_further = limits();
-    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.factor(), schur.target());
+    const Eigen::VectorXd greedy = dense_greedy_rounding(schur.factor(), schur.target(), m_limits);
     m_z = schur.complete(greedy);
     if(is_unbounded())
       return;
-    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), m_options.maximum_number_of_nodes,
-                                   m_options.number_of_bound_rounds, go_further);
+    // A search divides its nodes between the ways to look for a point: where time is short, those that it will reach.
+    // About what one core visits in a second, the reduction of the basis included.
+    const double nodes_per_second = 3e7;
+    const double nodes = (std::min)(m_options.maximum_number_of_nodes, nodes_per_second * m_limits.seconds_left());
+    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), nodes,
+                                   m_options.number_of_bound_rounds, m_go_further);
     const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);
     m_solution.nodes = result.nodes;
@@ -187,134 +215,22 @@ private:
     m_solution.lower_bound = m_reduced.constant + schur.relaxed_energy() + result.cost_bound;
   }
 
-  // The general methods of thesis Ch. 4.
+  // The general methods of [Bom12, Ch. 4].
   Mixed_integer_solution run_search()
   {
-    const Bounded_problem bounded = make_bounded_problem(m_problem, m_constraints);
-    if(bounded.is_infeasible)
-      return fail(Mixed_integer_status::INFEASIBLE, "A bound contradicts the other constraints.");
-    double largest = 0.;
-    for(int j = 0; j < m_reduced.A.cols(); ++j)
-      for(Eigen::SparseMatrix<double>::InnerIterator it(m_reduced.A, j); it; ++it)
-        largest = (std::max)(largest, std::fabs(it.value()));
-    return largest == 0. ? search_linear(bounded) : search_quadratic(bounded);
-  }
-
-  Mixed_integer_solution search_linear(const Bounded_problem& bounded)
-  {
-    std::vector<char> is_kept(m_reduced.size(), 0);
-    for(int v : bounded.kept)
-      is_kept[v] = 1;
-    for(int v = 0; v < m_reduced.size(); ++v)
-      if(!is_kept[v] && m_reduced.b[v] != 0.)
-        return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
-    const std::function<bool()> go_further = limits();
-    const Eigen::VectorXd c = -subvector(m_reduced.b, bounded.kept);
-    const Linear_master master(bounded, c, m_reduced.constant);
-    Exact_dual_simplex relaxation = master.make_program();
-    if(relaxation.solve())
-      m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
-    Search_result result;
-    if(m_options.method == Rounding_method::CUTTING_PLANES)
-      result = cutting_planes(master, m_options, go_further);
-    else
-    {
-      Branch_and_cut search(master, m_options, m_options.method == Rounding_method::BRANCH_AND_BOUND ? 0 : cut_rounds,
-                            go_further);
-      result = search.run(Eigen::VectorXd(), 0.);
-    }
-    if(result.is_found)
-    {
-      m_z = Eigen::VectorXd::Zero(m_reduced.size());
-      for(int i = 0; i < bounded.size(); ++i)
-        m_z[bounded.kept[i]] = result.y[i];
-    }
-    return finish_search(result);
-  }
-
-  Mixed_integer_solution search_quadratic(const Bounded_problem& bounded)
-  {
-    if(m_options.method == Rounding_method::CUTTING_PLANES)
-      return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
-                  "Cutting planes alone need a linear objective; outer approximation takes convex ones.");
-    // The other variables follow from those that matter to the search.
-    Integer_energy schur(m_linear_solver);
-    m_ran = compute(schur, bounded.kept);
-    if(!m_ran || bounded.size() == 0)
-    {
-      if(m_ran)
-      {
-        m_z = schur.complete(schur.target());
-        m_solution.relaxed_energy = m_solution.lower_bound = m_reduced.constant + schur.relaxed_energy();
-      }
-      return finish();
-    }
-
-    const std::function<bool()> go_further = limits();
-    const double constant = m_reduced.constant + schur.relaxed_energy();
-    Eigen::VectorXd incumbent;
-    double radius = std::numeric_limits<double>::infinity();
-    if(!m_problem.has_inequalities())
-    {
-      incumbent = dense_greedy_rounding(schur.factor(), schur.target());
-      radius = schur.cost(incumbent);
-      m_solution.relaxed_energy = constant;
-      m_z = schur.complete(incumbent);
-      if(is_unbounded())
-        return finish();
-    }
-    Search_result result;
-    if(m_options.method == Rounding_method::BRANCH_AND_BOUND)
-    {
-      Branch_and_bound search(bounded, schur.matrix(), schur.target(), constant, m_options, go_further);
-      if(incumbent.size() == 0)
-        m_solution.relaxed_energy = search.relaxed_energy();
-      result = search.run(incumbent, constant + radius);
-    }
-    else
-    {
-      const Linear_master master(bounded, schur.matrix(), schur.target(), constant, radius);
-      if(incumbent.size() == 0)
-        m_solution.relaxed_energy =
-          Branch_and_bound(bounded, schur.matrix(), schur.target(), constant, m_options, go_further).relaxed_energy();
-      if(m_options.method == Rounding_method::OUTER_APPROXIMATION)
-        result = outer_approximation(master, m_options, incumbent, constant + radius, go_further);
-      else
-      {
-        Branch_and_cut search(master, m_options, cut_rounds, go_further);
-        result = search.run(incumbent, constant + radius);
-      }
-    }
-    if(result.is_found)
-      m_z = schur.complete(result.y);
-    return finish_search(result);
-  }
-
-  Mixed_integer_solution finish_search(const Search_result& result)
-  {
-    m_solution.nodes = result.nodes;
-    m_solution.cuts = result.cuts;
-    if(result.is_unbounded)
-      return fail(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
-    if(!result.is_found && result.is_complete)
-      return fail(Mixed_integer_status::INFEASIBLE, "No point meets all constraints, bounds and integer conditions.");
-    m_solution.lower_bound = result.lower_bound;
-    if(!result.is_found)
-      return fail(Mixed_integer_status::LIMIT_REACHED, "A limit was met before a feasible solution was found.");
-    m_is_proven = result.is_complete && m_options.relative_gap_tolerance <= proof_tolerance;
+    General_methods methods(m_problem, m_constraints, m_reduced, m_options, m_linear_solver, m_limits, m_solution);
+    const General_methods::Outcome outcome = methods.run();
+    m_is_proven = outcome.is_proven;
+    if(!outcome.is_found)
+      return fail(outcome.status, outcome.message);
+    m_z = outcome.z;
     return finish();
   }
-
-  // A search that may leave a larger gap reports the bound it has proven, not the energy.
-  static constexpr double proof_tolerance = 1e-6;
-  static constexpr int cut_rounds = 5;
 
   Mixed_integer_solution finish()
   {
     if(!m_ran)
     {
-      if(!m_options.go_further(1.))
-        return fail(Mixed_integer_status::LIMIT_REACHED, "The visitor asked to stop.");
       return fail(Mixed_integer_status::NUMERICAL_FAILURE,
                   "A factorization failed: the energy is not convex where the constraints hold.");
     }
@@ -333,6 +249,14 @@ private:
     m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound)
                      / (std::fabs(m_solution.energy) + epsilon);
 
+    const std::string complaint =
+        m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
+            ? std::string()
+            : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+                  .complaint(m_solution.x);
+    if(!complaint.empty())
+      return fail(Mixed_integer_status::NUMERICAL_FAILURE,
+                  "The numbers are too large for the solution to meet " + complaint + " exactly.");
     if(!m_solution.conflicting_constraints.empty())
     {
       m_solution.status = Mixed_integer_status::CONFLICTING_CONSTRAINTS;
@@ -352,13 +276,15 @@ private:
     else
     {
       m_solution.status = Mixed_integer_status::FEASIBLE;
-      m_solution.message = "All conditions hold; the energy is not proven minimal.";
+      m_solution.message = m_limits.is_out_of_time()
+          ? "All conditions hold; the time limit was met before the energy was proven minimal."
+          : "All conditions hold; the energy is not proven minimal.";
     }
     return m_solution;
   }
 
-  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the singular matrix
-  // invertible then leaves a residual, and sends the solution far away.
+  // Whether the energy falls for ever along some direction in which it is not curved. The shift that made the
+  // singular matrix invertible then leaves a residual, and sends the solution far away.
   bool is_unbounded()
   {
     const double far_away = 1e5, relative_residual = 1e-6;
@@ -371,14 +297,29 @@ private:
     return residual.cwiseAbs().maxCoeff() > relative_residual * m_reduced.b.cwiseAbs().maxCoeff();
   }
 
+  // The original variables from the free ones.
+  Eigen::VectorXd expanded() const
+  {
+    if(m_constraints.is_identity)
+      return m_z;
+    Eigen::VectorXd x = m_constraints.T * m_z + m_constraints.t;
+    // Where coefficients are large, integers are computed exactly.
+    for(std::size_t i = 0; i < m_constraints.exact_T.size(); ++i)
+      if(m_problem.is_integer(static_cast<int>(i)))
+      {
+        CGAL::Exact_rational sum = m_constraints.exact_t[i];
+        for(const std::pair<int, CGAL::Exact_rational>& a : m_constraints.exact_T[i])
+          sum += a.second * CGAL::Exact_rational(m_z[a.first]);
+        x[i] = CGAL::to_double(sum);
+      }
+    return x;
+  }
+
   void expand()
   {
     // Dependent integers are sums of integers; this is what round-off in real coefficients may leave.
     const double round_off = 1e-9;
-    if(m_constraints.is_identity)
-      m_solution.x = m_z;
-    else
-      m_solution.x = m_constraints.T * m_z + m_constraints.t;
+    m_solution.x = expanded();
     m_solution.all_integers_satisfied = true;
     for(int i = 0; i < m_problem.number_of_variables(); ++i)
     {
@@ -391,12 +332,17 @@ private:
         v = rounded;
       m_solution.all_integers_satisfied = m_solution.all_integers_satisfied && v == rounded;
     }
+    if(m_problem.has_inequalities())
+      Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+          .settle(m_solution.x);
     m_solution.energy = m_solution.x.dot(0.5 * (m_A * m_solution.x) - m_b) + m_problem.constant();
   }
 
   const Mixed_integer_problem& m_problem;
   const Solver_options& m_options;
   const Sparse_cholesky<double>& m_linear_solver;
+  Search_limits& m_limits;
+  const std::function<bool()> m_go_further;
   Eigen::SparseMatrix<double> m_A;
   Eigen::VectorXd m_b;
   Eliminated_constraints m_constraints;

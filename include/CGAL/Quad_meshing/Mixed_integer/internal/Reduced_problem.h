@@ -105,7 +105,8 @@ inline Eigen::VectorXd subvector(const Eigen::VectorXd& v, const std::vector<int
 }
 
 // Factorizes a semidefinite matrix and counts the attempts.
-inline bool factorize_semidefinite(Sparse_cholesky<double>& solver, const Eigen::SparseMatrix<double>& A, int& factorizations)
+inline bool factorize_semidefinite(Sparse_cholesky<double>& solver, const Eigen::SparseMatrix<double>& A,
+                                   int& factorizations)
 {
   const int before = solver.number_of_factorizations();
   const bool is_ok = solver.compute_semidefinite(A);

@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 
-#include <functional>
 #include <limits>
 
 namespace CGAL {
@@ -22,10 +21,12 @@ namespace internal {
 struct Solver_options
 {
   Rounding_method method = Rounding_method::GREEDY;
+  Elimination_order elimination_order = Elimination_order::FEWEST_COEFFICIENTS;
   double constraint_tolerance = 1e-6;
   double rounding_tolerance = 3e-4;
   int gauss_seidel_iterations = 20000;
   int conjugate_gradient_iterations = 10;
+  bool allow_refactorization = true;
   bool simultaneous_rounding = true;
   int maximum_dense_integers = 1000;
   double maximum_running_time = std::numeric_limits<double>::infinity();
@@ -34,8 +35,6 @@ struct Solver_options
   double relative_gap_tolerance = 1e-9;
   Subproblem_selection subproblem_selection = Subproblem_selection::BEST_BOUND;
   Branching_rule branching_rule = Branching_rule::PSEUDO_COSTS;
-  // Reports progress in [0,1]; false asks to stop.
-  std::function<bool(double)> go_further = [](double) { return true; };
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Condensed_solver.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Search_limits.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Three_level_solver.h>
 
@@ -24,8 +25,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // Direct rounding (thesis 5.2.1): two systems.
-inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, Eigen::VectorXd& z,
-                            Mixed_integer_solution& solution)
+inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
+                            Eigen::VectorXd& z, Mixed_integer_solution& solution)
 {
   Three_level_solver solver(linear_solver, problem.A, problem.b, 0., 0, 0);
   if(!solver.initialize(solution.factorizations))
@@ -39,9 +40,10 @@ inline bool direct_rounding(const Sparse_cholesky<double>& linear_solver, const 
   return true;
 }
 
-// Greedy rounding, one integer after the other, with the exact solution in between.
-inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, Eigen::VectorXd& z,
-                           Mixed_integer_solution& solution, const Solver_options& options)
+// Greedy rounding, one integer after the other, with the exact solution in between. When time is over the rest is
+// rounded at once.
+inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
+                           Eigen::VectorXd& z, Mixed_integer_solution& solution, Search_limits& limits)
 {
   const double tie = 1e-7;
   Three_level_solver solver(linear_solver, problem.A, problem.b, 0., 0, 0);
@@ -60,9 +62,14 @@ inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const R
       return false;
     open.erase(best);
     ++solution.factorization_roundings;
-    if(!options.go_further(1. - double(open.size()) / problem.integers.size()))
-      return false;
+    limits.set_completed(1. - double(open.size()) / problem.integers.size());
+    if(!limits.go_further())
+      break;
   }
+  if(limits.is_stopped())
+    return false;
+  for(int i : open)
+    solver.fix(i, nearest_integer(solver.x()[i]));
   if(!problem.integers.empty() && !solver.factorize(solution.factorizations))
     return false;
   z = solver.x();
@@ -75,7 +82,8 @@ inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const R
 // set of variables still round to the same integers after all of them but one were rounded as long as the
 // deviations sum up to less than one half.
 inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem,
-                                   Eigen::VectorXd& z, Mixed_integer_solution& solution, const Solver_options& options)
+                                   Eigen::VectorXd& z, Mixed_integer_solution& solution, const Solver_options& options,
+                                   Search_limits& limits)
 {
   typedef Condensed_solver Solver;
   typedef Three_level_solver Levels;
@@ -130,13 +138,13 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
     since_refresh += batch;
 
     Solver::Level level;
-    if(since_refresh >= refresh_interval && rounded < m)
+    if(options.allow_refactorization && since_refresh >= refresh_interval && rounded < m)
     {
       level = solver.factorize(solution.factorizations) ? Levels::FACTORIZATION : Levels::FAILED;
       since_refresh = 0;
     }
     else
-      level = solver.update(solution.factorizations);
+      level = solver.update(solution.factorizations, options.allow_refactorization);
     switch(level)
     {
       case Levels::GAUSS_SEIDEL: ++solution.gauss_seidel_roundings; break;
@@ -151,9 +159,15 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
       if(!solver.is_fixed(i))
         push(i);
     });
-    if(!options.go_further(double(rounded) / m))
-      return false;
+    limits.set_completed(double(rounded) / m);
+    if(!limits.go_further())
+      break;
   }
+  if(limits.is_stopped())
+    return false;
+  for(int i : problem.integers)
+    if(!solver.is_fixed(i))
+      solver.fix(i, nearest_integer(solver.x(i)));
   if(!solver.factorize(solution.factorizations))
     return false;
   z = solver.all();

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Slabs of the space of y that no lattice point lies in: the integer a'z = b'y + u + k + 1/2 differs from k + 1/2 by at least one half.
+// Slabs of the space of y that no lattice point lies in: the integer a'z = b'y + u + k + 1/2 differs from k + 1/2 by
+// at least one half.
 struct Splits
 {
   Eigen::MatrixXd B;       // a column b per slab
@@ -30,16 +31,17 @@ struct Splits
   int size() const { return static_cast<int>(offsets.size()); }
 };
 
-// The minimum of |y|^2 over a distribution of points y, such that (b'y + u)^2 is at least 1/4 in the mean for every slab. No
-// lattice point can be nearer to the origin than that.
+// The minimum of |y|^2 over a distribution of points y, such that (b'y + u)^2 is at least 1/4 in the mean for every
+// slab. No lattice point can be nearer to the origin than that.
 //
 // By duality it is the maximum over weights w >= 0 of the least value of
 //   |y|^2 - sum w ((b'y + u)^2 - 1/4) = y'Ny - 2 r'y + sum w (1/4 - u^2),   N = I - sum w b b',   r = sum w u b,
 // which lies below |y|^2 in all lattice points; so every w for which N is positive definite gives a bound. Newton's
-// method follows the central path of this maximum plus mu (log det N + sum log w) to small mu (for such
-// semidefinite programs see Vandenberghe and Boyd, Semidefinite programming, SIAM Review 38, 1996; the inequalities are those that
-// Buchheim and Wiegele, Semidefinite relaxations for non-convex quadratic mixed-integer programming, 2013, use for single variables).
-// The point on the path belongs to the normal distribution with the mean y* = N^-1 r and the covariance mu N^-1.
+// method follows the central path of this maximum plus mu (log det N + sum log w) to small mu (for such semidefinite
+// programs see Vandenberghe and Boyd, Semidefinite programming, SIAM Review 38, 1996; the inequalities are those that
+// Buchheim and Wiegele, Semidefinite relaxations for non-convex quadratic mixed-integer programming, 2013, use for
+// single variables). The point on the path belongs to the normal distribution with the mean y* = N^-1 r and the
+// covariance mu N^-1.
 class Split_relaxation
 {
 public:
@@ -48,9 +50,11 @@ public:
     , m_dimension(static_cast<int>(splits.B.rows()))
   {}
 
-  // Follows the path from the weights, which have to be positive, from where the bound is about `first_accuracy` below the maximum
-  // to where it is about `accuracy` below. Returns false if told to stop, or if numbers gave out; the bound holds all the same.
-  bool run(const Eigen::VectorXd& start, double first_accuracy, double accuracy, const std::function<bool()>& go_further)
+  // Follows the path from the weights, which have to be positive, from where the bound is about `first_accuracy`
+  // below the maximum to where it is about `accuracy` below. Returns false if told to stop, or if numbers gave out;
+  // the bound holds all the same.
+  bool run(const Eigen::VectorXd& start, double first_accuracy, double accuracy,
+           const std::function<bool()>& go_further)
   {
     const double mu_factor = 0.25;
     const int maximum_steps = 50;    // per point of the path; a handful is usual

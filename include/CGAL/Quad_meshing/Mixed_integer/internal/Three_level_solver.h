@@ -124,14 +124,14 @@ public:
     return true;
   }
 
-  // Returns the level that converged.
-  Level update(int& factorizations)
+  // Returns the level that converged, or did last if there may be no factorization.
+  Level update(int& factorizations, bool allow_factorization)
   {
     if(gauss_seidel())
       return GAUSS_SEIDEL;
     clear_queue();
     mark_all_changed();
-    if(conjugate_gradient())
+    if(conjugate_gradient() || !allow_factorization)
       return CONJUGATE_GRADIENT;
     return factorize(factorizations) ? FACTORIZATION : FAILED;
   }
@@ -284,7 +284,8 @@ private:
   Eigen::VectorXd m_b, m_diagonal;
   Sparse_cholesky<double> m_factor;
   Eigen::VectorXd m_x;
-  std::vector<std::pair<int, Eigen::VectorXd> > m_columns; // the variables fixed exactly since the last factor, and their steps
+  // the variables fixed exactly since the last factor, and their steps
+  std::vector<std::pair<int, Eigen::VectorXd> > m_columns;
   std::vector<char> m_is_fixed, m_is_queued, m_is_changed;
   std::vector<int> m_queue, m_changes;
   std::size_t m_head = 0;

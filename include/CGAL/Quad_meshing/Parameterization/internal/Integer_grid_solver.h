@@ -22,12 +22,15 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
 #include <CGAL/Quad_meshing/internal/binary_unit.h>
+#include <CGAL/Quad_meshing/internal/run_aside.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,7 +43,8 @@ class Integer_grid_solver
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 
-  // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need not be aligned.
+  // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need
+  // not be aligned.
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
@@ -58,25 +62,44 @@ public:
     return static_cast<int>(std::count(coordinates.is_integer.begin(), coordinates.is_integer.end(), true));
   }
 
-  // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are rounded.
-  // Returns false if the energy could not be factorized.
+  // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are
+  // rounded. Returns false if the energy could not be factorized.
   bool solve_seamless(double anisotropy, unsigned int stiffening_iterations)
   {
-    const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy);
-    if(!m_reduction.compute(energy.A, energy.b, coordinates.is_integer))
+    struct Reduction
+    {
+      Orientation_energy energy;
+      std::vector<bool> is_integer;
+      Integer_energy result;
+      bool is_done;
+    };
+    const auto data = std::make_shared<Reduction>(Reduction{
+      Orientation_energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy, &m_progress),
+      coordinates.is_integer, Integer_energy(), false });
+    const Orientation_energy& energy = data->energy;
+    if(!m_progress.go_further() ||
+       !run_aside(coordinates.number_of_variables(), m_progress, data, [](Reduction& r)
+                  { r.is_done = r.result.compute(r.energy.A, r.energy.b, r.is_integer); }) ||
+       !data->is_done)
       return false;
+    m_reduction = std::move(data->result);
     relaxed = m_reduction.complete(m_reduction.target());
-    if(!relaxed.allFinite())
+    if(!relaxed.allFinite() || !m_progress.go_further())
       return false;
     m_constant = energy.constant;
     relaxed_energy = m_reduction.energy(relaxed) + m_constant;
     m_optimization.operations_left = most_operations;
-    // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a stiffer map.
+    if(!m_progress.go_further())
+      return false;
+    // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a
+    // stiffer map.
     const Eigen::VectorXd start = relaxed;
     if(untangle_seamless(relaxed))
       return true;
     Eigen::VectorXd other = start;
     stiffen(other, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations, anisotropy);
+    if(!m_progress.go_further())
+      return false;
     untangle_seamless(other);
     if(m_optimization.folded_faces(other).size() < m_optimization.folded_faces(relaxed).size())
       relaxed = other;
@@ -84,10 +107,10 @@ public:
     return true;
   }
 
-  // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds, changed
-  // where two things were rounded onto each other. Then the seamless map is carried to the integers without ever
-  // folding; where that gets stuck, things have come together that seemed to be far enough from each other: the integers
-  // are changed there too, and so on.
+  // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds,
+  // changed where two things were rounded onto each other. Then the seamless map is carried to the integers without
+  // ever folding; where that gets stuck, things have come together that seemed to be far enough from each other: the
+  // integers are changed there too, and so on.
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
     std::vector<int> number(coordinates.number_of_variables(), -1);
@@ -222,8 +245,8 @@ private:
   Integer_energy m_reduction;
   double m_constant = 0;
   bool m_is_carried = false;
-  // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
-  // triangle no amount of work helps.
+  // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly
+  // every triangle no amount of work helps.
   static constexpr double most_operations = 1e10;
 
   bool untangle_seamless(Eigen::VectorXd& y)
@@ -240,8 +263,8 @@ private:
     return z;
   }
 
-  // Weights the energy anew and minimizes it over the variables that are not fixed, as long as there are fold-overs; `y` becomes
-  // the map with the fewest, for more weight can make things worse.
+  // Weights the energy anew and minimizes it over the variables that are not fixed, as long as there are fold-overs;
+  // `y` becomes the map with the fewest, for more weight can make things worse.
   void stiffen(Eigen::VectorXd& y, const std::vector<bool>& is_fixed, unsigned int iterations, double anisotropy)
   {
     Stiffening stiffening(coordinates, faces);
@@ -254,15 +277,29 @@ private:
         number[i] = static_cast<int>(variables.size());
         variables.push_back(static_cast<int>(i));
       }
-    Sparse_cholesky<double> solver;
+    struct Factorization
+    {
+      Eigen::SparseMatrix<double> matrix;
+      Sparse_cholesky<double> solver;
+      bool is_done = false;
+    };
+    const auto data = std::make_shared<Factorization>();
     for(unsigned int i = 0; i < iterations && fewest > 0 && m_progress.go_further(); ++i)
     {
       stiffening.update_weights(z);
-      const Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy, number,
-                                      static_cast<int>(variables.size()), y);
-      if(!solver.factorize(energy.A)) // the pattern is analyzed the first time
+      if(!m_progress.go_further())
         return;
-      const Eigen::VectorXd free = solver.solve(energy.b);
+      Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy, number,
+                                static_cast<int>(variables.size()), y, &m_progress);
+      data->matrix.swap(energy.A);
+      if(!m_progress.go_further() ||
+         !run_aside(static_cast<int>(variables.size()), m_progress, data, [](Factorization& f)
+                    { f.is_done = f.solver.factorize(f.matrix); }) || // the pattern is analyzed the first time
+         !data->is_done)
+        return;
+      const Eigen::VectorXd free = data->solver.solve(energy.b);
+      if(!m_progress.go_further())
+        return;
       for(std::size_t k = 0; k < variables.size(); ++k)
         z[variables[k]] = free[k];
       const std::size_t n = m_optimization.folded_faces(z).size();

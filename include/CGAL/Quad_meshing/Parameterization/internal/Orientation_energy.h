@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Element_sum.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Seamless_coordinates.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <Eigen/SparseCore>
 
@@ -32,29 +33,31 @@ struct Orientation_energy
   Eigen::VectorXd b;
   double constant = 0;
 
-  // `weight` per face: the stiffening weights w; `anisotropy`: g, in (0, 1].
+  // `weight` per face: the stiffening weights w; `anisotropy`: g, in (0, 1]. If the visitor of `progress` stops it, the
+  // energy is of no use.
   Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
-                     const std::vector<double>& weight, double anisotropy)
+                     const std::vector<double>& weight, double anisotropy, Stage_progress* progress = nullptr)
   {
     std::vector<int> number(coordinates.number_of_variables());
     std::iota(number.begin(), number.end(), 0);
     assemble(coordinates, faces, weight, anisotropy, number, coordinates.number_of_variables(),
-             Eigen::VectorXd::Zero(coordinates.number_of_variables()));
+             Eigen::VectorXd::Zero(coordinates.number_of_variables()), progress);
   }
 
-  // The same over some of the variables only: `number` gives their numbers, from 0 to n - 1, and -1 for the variables that
-  // keep their value in `x`.
+  // The same over some of the variables only: `number` gives their numbers, from 0 to n - 1, and -1 for the variables
+  // that keep their value in `x`.
   Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
                      const std::vector<double>& weight, double anisotropy, const std::vector<int>& number, int n,
-                     const Eigen::VectorXd& x)
+                     const Eigen::VectorXd& x, Stage_progress* progress = nullptr)
   {
-    assemble(coordinates, faces, weight, anisotropy, number, n, x);
+    assemble(coordinates, faces, weight, anisotropy, number, n, x, progress);
   }
 
 private:
   void assemble(const Seamless_coordinates& coordinates, const Face_gradients& faces, const std::vector<double>& weight,
-                double anisotropy, const std::vector<int>& number, int n, const Eigen::VectorXd& x)
+                double anisotropy, const std::vector<int>& number, int n, const Eigen::VectorXd& x, Stage_progress* progress)
   {
+    const int faces_per_report = 0x4000; // each takes about a microsecond
     const Combed_charts& charts = coordinates.charts;
     const int nf = charts.mesh.number_of_faces();
     b = Eigen::VectorXd::Zero(n);
@@ -62,6 +65,9 @@ private:
     std::vector<int> variables, place(n, -1);
     std::vector<std::array<double, 2> > row; // derivatives along u_T and v_T
     for(int f = 0; f < nf; ++f)
+    {
+      if(progress != nullptr && f % faces_per_report == 0 && !progress->go_further())
+        return;
       for(int c = 0; c < 2; ++c) // the two coordinates do not mix in the energy of a triangle
       {
         variables.clear();
@@ -98,6 +104,9 @@ private:
         for(int i : variables)
           place[i] = -1;
       }
+    }
+    if(progress != nullptr && !progress->go_further())
+      return;
     A = sum.matrix();
   }
 

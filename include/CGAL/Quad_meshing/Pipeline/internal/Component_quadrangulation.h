@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_search.h>
@@ -23,6 +24,8 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +54,7 @@ public:
   // directions: per face of the input, or empty
   Component_quadrangulation(Quadrangulation_surface& surface, const Component_request& request,
                             const std::vector<std::optional<Quadrangulation_kernel::Vector_3> >& directions,
-                            const Quadrangulation_options& options, Watched_visitor& visitor)
+                            const Quadrangulation_options& options, Pipeline_visitor& visitor)
     : m_surface(surface), m_request(request), m_directions(directions), m_options(options), m_visitor(visitor)
     , m_topology(surface_topology(surface.mesh))
   {}
@@ -77,6 +80,11 @@ public:
   }
 
 private:
+  // The weight, at full alignment, of a squared deviation from a reliable direction of curvature over the area of one quad, against a
+  // squared difference between two triangles. From 0.03 to 3, directions get nearer to those of the surface and singularities more: on a
+  // rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7 and 46 with 3.
+  static constexpr double weight_of_alignment = 1;
+
   void prepare()
   {
     Mesh& mesh = m_surface.mesh;
@@ -101,17 +109,14 @@ private:
 
   bool make_quads()
   {
-    Mesh& mesh = m_surface.mesh;
-    auto directions = mesh.add_property_map<Mesh::Face_index, std::optional<Quadrangulation_kernel::Vector_3> >("f:direction").first;
-    if(!m_directions.empty())
-      for(Mesh::Face_index f : mesh.faces())
-        directions[f] = m_directions[m_surface.origin[f]];
+    Grid_map_search::Directions directions;
+    if(!find_directions(directions))
+      return false;
     Grid_map_search search(m_surface, directions,
                            { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads },
                            m_visitor);
     const std::shared_ptr<const Grid_map_attempt> attempt = search.run();
-    mesh.remove_property_map(directions);
-    result.field_seconds = search.figures.field_seconds;
+    result.field_seconds += search.figures.field_seconds;
     result.parameterization_seconds = search.figures.parameterization_seconds;
     result.parameterization_attempts = search.figures.parameterization_attempts;
     result.extraction_seconds = search.figures.extraction_seconds;
@@ -124,6 +129,40 @@ private:
     result.released_feature_share = search.figures.released_feature_share;
     fail(search.status, search.message);
     return false;
+  }
+
+  // Those of the user are hard, those of the surface are soft.
+  bool find_directions(Grid_map_search::Directions& directions)
+  {
+    const Mesh& mesh = m_surface.mesh;
+    Real_timer timer;
+    timer.start();
+    directions.direction.resize(mesh.number_of_faces());
+    directions.weight.resize(mesh.number_of_faces(), 0.);
+    if(m_options.curvature_alignment > 0)
+    {
+      const Curvature_guide_result guides =
+        curvature_directions(mesh, m_request.length,
+                             boost::make_iterator_property_map(directions.direction.begin(), get(boost::face_index, mesh)),
+                             boost::make_iterator_property_map(directions.weight.begin(), get(boost::face_index, mesh)),
+                             parameters::edge_is_constrained_map(m_surface.is_feature).visitor(std::ref(m_visitor)));
+      if(!guides.is_valid())
+      {
+        fail(m_visitor.is_stopped() ? Status::STOPPED : m_visitor.is_time_up() ? Status::OUT_OF_TIME : Status::FAILED, guides.message);
+        return false;
+      }
+    }
+    for(Mesh::Face_index f : mesh.faces())
+    {
+      directions.weight[f] *= m_options.curvature_alignment * weight_of_alignment;
+      if(!m_directions.empty() && m_directions[m_surface.origin[f]])
+      {
+        directions.direction[f] = m_directions[m_surface.origin[f]];
+        directions.weight[f] = (std::numeric_limits<double>::infinity)();
+      }
+    }
+    result.field_seconds = timer.time();
+    return true;
   }
 
   void take(const Grid_map_attempt& attempt)
@@ -179,7 +218,7 @@ private:
       smooth_quad_mesh(quads->mesh, m_surface.mesh,
                        parameters::smooth_globally(true)
                          .edge_is_constrained_map(quads->is_feature)
-                         .number_of_iterations(m_options.smoothing_iterations)
+                         .smoothing_iterations(m_options.smoothing_iterations)
                          .visitor(std::ref(m_visitor)),
                        parameters::edge_is_constrained_map(m_surface.is_feature));
     result.smoothing_seconds = timer.time();
@@ -254,7 +293,7 @@ private:
   const Component_request m_request;
   const std::vector<std::optional<Quadrangulation_kernel::Vector_3> >& m_directions;
   const Quadrangulation_options& m_options;
-  Watched_visitor& m_visitor;
+  Pipeline_visitor& m_visitor;
   const std::vector<Component_topology> m_topology;
 };
 

@@ -15,7 +15,7 @@
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
-#include <CGAL/Quad_meshing/Pipeline/internal/Watched_visitor.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Pipeline_visitor.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -42,9 +42,15 @@ class Grid_map_search
 {
   typedef Quadrangulation_mesh Mesh;
   typedef Quadrangulation_status Status;
-  typedef Mesh::Property_map<Mesh::Face_index, std::optional<Quadrangulation_kernel::Vector_3> > Directions;
 
 public:
+  // The directions that the field should have, and what they weigh.
+  struct Directions
+  {
+    std::vector<std::optional<Quadrangulation_kernel::Vector_3> > direction; // per face
+    std::vector<double> weight; // per face; infinite: hard
+  };
+
   struct Options
   {
     const Quadrangulation_options& quadrangulation;
@@ -55,7 +61,7 @@ public:
   };
 
   Grid_map_search(const Quadrangulation_surface& surface, const Directions& directions, const Options& options,
-                  Watched_visitor& visitor)
+                  Pipeline_visitor& visitor)
     : m_surface(surface), m_directions(directions), m_options(options), m_visitor(visitor)
   {}
 
@@ -156,9 +162,8 @@ private:
   // The edges near the folded triangles of an attempt; returns their length.
   double release(const Grid_map_attempt& attempt, double radius, std::vector<char>& is_feature) const
   {
-    return release_features(m_surface.mesh, m_surface.mesh.points(),
-                            attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding, radius,
-                            map_of(boost::edge_index, is_feature));
+    return release_features(m_surface.mesh, attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding,
+                            radius, map_of(boost::edge_index, is_feature));
   }
 
   // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there is hardly one
@@ -206,7 +211,8 @@ private:
                            .edge_is_constrained_map(map_of(boost::edge_index, is_feature))
                            .align_boundary(m_options.quadrangulation.align_boundary)
                            .cross_field_method(method)
-                           .face_direction_map(m_directions)
+                           .face_direction_map(map_of(boost::face_index, m_directions.direction))
+                           .face_direction_weight_map(map_of(boost::face_index, m_directions.weight))
                            .visitor(std::ref(m_visitor)));
     figures.field_seconds += r.seconds;
     if(r.status == Cross_field_status::STOPPED)
@@ -306,7 +312,7 @@ private:
   const Quadrangulation_surface& m_surface;
   const Directions& m_directions;
   const Options m_options;
-  Watched_visitor& m_visitor;
+  Pipeline_visitor& m_visitor;
 };
 
 } // namespace internal

@@ -9,65 +9,49 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RELEASE_FEATURES_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RELEASE_FEATURES_H
 
-#include <CGAL/number_utils.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
+#include <CGAL/Quad_meshing/internal/Distance_front.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/squared_distance_3.h>
 
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Unmarks the feature edges with an end within a distance of some faces, measured along edges. Returns their length.
-template <typename TriangleMesh, typename VertexPointMap, typename FaceRange, typename EdgeIsFeatureMap>
-double release_features(const TriangleMesh& tm, VertexPointMap vpm, const FaceRange& faces_without_room, double radius,
-                        EdgeIsFeatureMap is_feature)
+// Unmarks the feature edges with an end within a distance of some faces, measured along edges. Returns their length. `is_feature` has
+// the edges as keys.
+template <typename EdgeIsFeatureMap>
+double release_features(const Quadrangulation_mesh& mesh, const std::vector<Quadrangulation_mesh::Face_index>& faces_without_room,
+                        double radius, EdgeIsFeatureMap is_feature)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  typedef std::pair<double, vertex_descriptor> Entry;
+  typedef Quadrangulation_mesh Mesh;
 
-  auto distance = get(CGAL::dynamic_vertex_property_t<double>(), tm);
-  for(vertex_descriptor v : vertices(tm))
-    put(distance, v, (std::numeric_limits<double>::max)());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > front;
-  auto reach = [&](vertex_descriptor v, double d)
+  auto length = [&](Mesh::Halfedge_index h)
   {
-    if(d <= radius && d < get(distance, v))
-    {
-      put(distance, v, d);
-      front.push(Entry(d, v));
-    }
+    return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
   };
-  auto edge_length = [&](auto h)
-  {
-    return CGAL::approximate_sqrt(to_double((get(vpm, target(h, tm)) - get(vpm, source(h, tm))).squared_length()));
-  };
-  for(auto f : faces_without_room)
-    for(vertex_descriptor v : vertices_around_face(halfedge(f, tm), tm))
-      reach(v, 0);
-  while(!front.empty())
-  {
-    const Entry top = front.top();
-    front.pop();
-    if(top.first > get(distance, top.second))
-      continue;
-    for(auto h : halfedges_around_target(top.second, tm))
-      reach(source(h, tm), top.first + edge_length(h));
-  }
+  Distance_front front(static_cast<int>(mesh.num_vertices()));
+  for(Mesh::Face_index f : faces_without_room)
+    for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      front.reach(static_cast<int>(v), 0);
+  int i;
+  for(double d; front.pop(i, d);)
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(Mesh::Vertex_index(static_cast<Mesh::size_type>(i)))))
+      if(d + length(h) <= radius)
+        front.reach(static_cast<int>(mesh.source(h)), d + length(h));
   double released = 0;
-  for(auto e : edges(tm))
-    if(get(is_feature, e) && (get(distance, source(e, tm)) <= radius || get(distance, target(e, tm)) <= radius))
+  for(Mesh::Edge_index e : mesh.edges())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(e);
+    if(get(is_feature, e) && (front.is_reached(static_cast<int>(mesh.source(h))) || front.is_reached(static_cast<int>(mesh.target(h)))))
     {
       put(is_feature, e, false);
-      released += edge_length(halfedge(e, tm));
+      released += length(h);
     }
+  }
   return released;
 }
 

@@ -73,6 +73,8 @@ private:
       return refuse("The target number of quads is not a positive number.");
     if(!(m_options.anisotropy_weight > 0 && m_options.anisotropy_weight <= 1))
       return refuse("The anisotropy weight does not lie between 0, exclusive, and 1.");
+    if(!(m_options.curvature_alignment >= 0 && m_options.curvature_alignment <= 1))
+      return refuse("The curvature alignment does not lie between 0 and 1.");
     if(m_options.number_of_threads == 0)
       return refuse("The number of threads is zero.");
     if(!(m_options.maximum_running_time > 0))
@@ -322,7 +324,7 @@ private:
 
   const Triangle_input& m_input;
   const Quadrangulation_options& m_options;
-  Watched_visitor m_visitor;
+  Pipeline_visitor m_visitor;
   Quadrangulation_result m_result;
   std::vector<std::unique_ptr<Quadrangulation_surface> > m_surfaces;
   std::vector<Component_request> m_requests;

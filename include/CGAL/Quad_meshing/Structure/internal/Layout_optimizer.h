@@ -20,8 +20,10 @@
 #include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_search.h>
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -54,14 +56,19 @@ public:
 
   const Layout_goals& goals() const { return m_goals; }
 
-  // Looks for layouts, `attempts` times at random. `progress` gets numbers from 0 to 1.
-  template <typename GoFurther, typename Progress>
-  void search(int attempts, const GoFurther& go_further, const Progress& progress)
+  // Looks for layouts, `attempts` times at random.
+  void search(int attempts, Any_visitor& visitor)
   {
     if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
       return;
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
-    m_search.reset(new Layout_search(m_input.mesh, m_structure, m_goals, *m_quantization, m_bends, m_input.is_fixed));
+    m_search.reset(new Layout_search(m_input.mesh, m_structure, m_goals, *m_quantization, m_bends, m_input.is_fixed,
+                                     visitor));
+    if(!visitor.go_further())
+    {
+      m_search.reset();     // its system is not complete
+      return;
+    }
     // what is compared in the end: not more quads for more helices
     m_goals.neglect_loss();
     const double quads_per_irregular_vertex =
@@ -73,54 +80,51 @@ public:
     {
       if(++scales % scales_between == 0)
         m_layouts.push_back(m_quantization->length);
-    }, go_further);
+    }, [&] { return visitor.go_further(); });
     m_layouts.push_back(m_quantization->length);
-    m_search->anneal(attempts, m_target_patches, m_layouts, reporting(attempts, go_further, progress));
+    m_search->anneal(attempts, m_target_patches, m_layouts, reporting(attempts, visitor));
   }
 
   // Looks for others, with less distortion if the shape of these was not accepted; false if this has been done too often.
-  template <typename GoFurther, typename Progress>
-  bool search_again(int attempts, bool with_caution, const GoFurther& go_further, const Progress& progress)
+  bool search_again(int attempts, bool with_caution, Any_visitor& visitor)
   {
-    return m_search && m_search->anneal_again(attempts, with_caution, m_layouts, reporting(attempts, go_further, progress));
+    return m_search && m_search->anneal_again(attempts, with_caution, m_layouts, reporting(attempts, visitor));
   }
 
   // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
   // coarser ones before finer ones; false if there is none that is better than the input.
-  template <typename GoFurther>
-  bool next(Structure_state& result, const GoFurther& go_further)
+  bool next(Structure_state& result, Any_visitor& visitor)
   {
-    while(!m_layouts.empty() && go_further())
+    while(!m_layouts.empty() && visitor.go_further())
     {
       const std::vector<int> layout = m_layouts.back();
       m_layouts.pop_back();
-      if(realize(*m_quantization, layout, result, go_further))
+      if(realize(*m_quantization, layout, result, visitor))
         return true;
     }
     return false;
   }
 
 private:
-  template <typename GoFurther, typename Progress>
-  auto reporting(int attempts, const GoFurther& go_further, const Progress& progress)
+  // A question whether to go further that counts the attempts.
+  std::function<bool()> reporting(int attempts, Any_visitor& visitor)
   {
-    return [&, attempts]
+    return [this, attempts, &visitor]
     {
-      progress((std::min)(1., double(++m_attempts) / m_search->number_of_rounds() / attempts));
-      return go_further();
+      visitor.progress((std::min)(1., double(++m_attempts) / m_search->number_of_rounds() / attempts));
+      return visitor.go_further();
     };
   }
 
-  template <typename GoFurther>
   bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result,
-               const GoFurther& go_further) const
+               Any_visitor& visitor) const
   {
     Layout_curves curves(quantization, layout);
     curves.follow(m_bends);
     const Layout_realization itself(m_input.mesh, quantization, layout, m_input.is_fixed, Layout_realization::TOPOLOGY);
     const Layout_helices helices(itself, curves);
     const Layout_cost::Density density = m_search->cost().density(curves, helices, m_target_quads);
-    std::vector<int> length = improved(quantization, curves, helices, density.multiplicities, go_further);
+    std::vector<int> length = improved(quantization, curves, helices, density.multiplicities, visitor);
     // a very coarse mesh may have edges that share both ends
     double aim = largest_edge_length;
     while(fits(quantization, length))
@@ -146,9 +150,8 @@ private:
   }
 
   // Changes the multiplicities one by one as long as the price falls, beginning with coarser ones if these do not fit.
-  template <typename GoFurther>
   std::vector<int> improved(const Layout_quantization& quantization, const Layout_curves& curves, const Layout_helices& helices,
-                            std::vector<int> multiplicity, const GoFurther& go_further) const
+                            std::vector<int> multiplicity, Any_visitor& visitor) const
   {
     std::vector<int> length = curves.lengths(multiplicity);
     auto is_possible = [&] { return fits(quantization, length) && quantization.number_of_quads(length) <= m_target_quads; };
@@ -168,7 +171,7 @@ private:
     for(int round = 0; is_better && round < largest_number_of_changes; ++round)
     {
       is_better = false;
-      for(int c = 0; c < curves.number_of_curves() && go_further(); ++c)
+      for(int c = 0; c < curves.number_of_curves() && visitor.go_further(); ++c)
         for(int by : { 1, -1 })
         {
           if(!curves.allows(c, multiplicity[c] + by))

@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/internal/Layout_helices.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
@@ -50,9 +51,10 @@ public:
   static constexpr double forbidden = (std::numeric_limits<double>::max)();
 
   Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_goals& goals,
-              const Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed)
+              const Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed,
+              Any_visitor& visitor)
     : m(input), m_structure(structure), m_goals(goals), m_quantization(quantization), m_bends(bends), m_is_fixed(is_fixed),
-      m_distortion(input, quantization.complex(), quantization.rules(), is_fixed)
+      m_distortion(input, quantization.complex(), quantization.rules(), is_fixed, visitor)
   {}
 
   int number_of_patches() const { return number_of_base_complex_patches(realization().mesh); }
@@ -196,8 +198,9 @@ public:
   static constexpr double largest_edge_cost = 0.1;
 
   Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, const Layout_goals& goals,
-                Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed)
-    : m_quantization(quantization), m_cost(mesh, structure, goals, quantization, bends, is_fixed),
+                Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed,
+                Any_visitor& visitor)
+    : m_quantization(quantization), m_cost(mesh, structure, goals, quantization, bends, is_fixed, visitor),
       m_effort((std::min)(most_effort, (std::max)(1., double(quantization.length.size()) / easy_arcs))),
       m_most_rounds((std::max)(1, (std::min)(largest_number_of_rounds, quads_of_all_rounds / mesh.number_of_faces())))
   {}

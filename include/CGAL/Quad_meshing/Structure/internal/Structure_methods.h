@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Watched_visitor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,20 +36,25 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   // How many layouts are realized and smoothed after each search, and how many quads all of them have together at most.
   constexpr int layouts_per_search = 4;
   constexpr std::size_t most_quads = 400000;
+  // The part of the running time that a first search may take, so that some is left for its layouts.
+  constexpr double search_share = 0.5;
   const std::size_t quads = optimizer.state.mesh.corners.size();
   const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
                            : options.collapse_dual_curves ? 1 : quads;
   const int attempts = static_cast<int>(options.layouts);
-  auto go_further = [&] { return visitor.go_further(); };
-  auto progress = [&](double p) { visitor.progress(p); };
+  if(!visitor.go_further())
+    return;
   Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
-  layout.search(attempts, go_further, progress);
+  if(!visitor.go_further())
+    return;
+  Watched_visitor searching(visitor, search_share * options.maximum_running_time);
+  layout.search(attempts, searching);
 
   Structure_state best, candidate;
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
   bool is_done = false;
-  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, go_further); )
+  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, visitor); )
   {
     quads_tried += candidate.mesh.corners.size();
     const Structure_optimizer::Score score = Structure_optimizer::score_of(candidate.mesh);
@@ -64,7 +70,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
     if(++tried == layouts_per_search && !is_done)
     {
       const bool any = least_price < Layout_cost::forbidden;
-      is_done = !layout.search_again(attempts, !any, go_further, progress) && any;
+      is_done = !layout.search_again(attempts, !any, visitor) && any;
       tried = 0;
     }
   }

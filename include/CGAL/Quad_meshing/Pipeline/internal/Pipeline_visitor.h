@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_WATCHED_VISITOR_H
-#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_WATCHED_VISITOR_H
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_PIPELINE_VISITOR_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_PIPELINE_VISITOR_H
 
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 
@@ -20,13 +20,13 @@ namespace Quad_meshing {
 namespace internal {
 
 // A visitor with a time limit, that several threads may talk to. It knows who asked for the end.
-class Watched_visitor
+class Pipeline_visitor
   : public Any_visitor
 {
   typedef std::chrono::steady_clock Clock;
 
 public:
-  Watched_visitor(Any_visitor& visitor, double seconds)
+  Pipeline_visitor(Any_visitor& visitor, double seconds)
     : m_visitor(visitor), m_start(Clock::now()), m_seconds(seconds)
   {}
 
@@ -75,4 +75,4 @@ private:
 } // namespace Quad_meshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_WATCHED_VISITOR_H
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_PIPELINE_VISITOR_H

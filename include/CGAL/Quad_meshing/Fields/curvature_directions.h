@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_FIELDS_CURVATURE_DIRECTIONS_H
+#define CGAL_QUAD_MESHING_FIELDS_CURVATURE_DIRECTIONS_H
+
+#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
+#include <CGAL/Quad_meshing/Fields/internal/find_curvature_directions.h>
+#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+
+/*!
+ * \ingroup PkgQuadMeshingFieldsRef
+ *
+ * \brief finds the directions in which the surface bends least, and how much they count.
+ *
+ * Shape operators are averaged over disks about the faces, whose radii are about the target edge length: what is
+ * smaller than a quad does not count. A direction is reliable where one principal curvature is much stronger than the
+ * other, where the surface is bent at all, and where disks of different radii agree \cgalCite{Bom12} (8.1). On planes
+ * and spheres no direction is. Where triangles are much smaller than quads, some of them speak for their neighbors.
+ *
+ * The weight of a direction is its reliability, from 0 to 1, times the area that it speaks for, in quads. So the sum
+ * over all faces does not depend on the triangles. With such weights the directions are soft guides of
+ * `smooth_cross_field()`; `salient_directions()` gives hard ones, and fewer.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and an
+ *   optional vector, such as `std::optional<Vector_3>`, as value type
+ * \tparam FaceWeightMap a model of `WritablePropertyMap` with the face descriptor as key and `double` as value type
+ *
+ * \param tm the triangle mesh
+ * \param target_edge_length the edge length of the quad mesh that the directions are for
+ * \param direction gets a unit vector for some faces, an empty value for all others
+ * \param weight gets the weights, 0 where there is no direction
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{feature edges, at which disks end: a crease says nothing of the curvature beside it}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key and `bool` as value type}
+ *     \cgalParamDefault{no edge}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
+ *     \cgalParamDefault{`Default_visitor`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{consecutive numbers of the vertices from 0}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{consecutive numbers of the faces from 0}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return how it ended, and the number of faces that have a direction
+ */
+template <typename TriangleMesh, typename FaceDirectionMap, typename FaceWeightMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Curvature_guide_result
+curvature_directions(const TriangleMesh& tm, double target_edge_length, FaceDirectionMap direction, FaceWeightMap weight,
+                     const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
+  typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+    Visitor_reference;
+
+  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
+    internal_np::edge_is_constrained_t, internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
+    internal_np::face_index_t>::value;
+  static_assert(takes_parameters, "curvature_directions() does not take one of the named parameters.");
+  static_assert(internal::Is_optional_like<Optional_direction>::value,
+                "The value type of the map of directions must be an optional vector, such as std::optional<Vector_3>.");
+
+  const auto is_feature = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                           Static_boolean_property_map<edge_descriptor, false>());
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  Curvature_guide_result result;
+  if(!is_triangle_mesh(tm))
+  {
+    result.status = Curvature_guide_status::NOT_A_TRIANGLE_MESH;
+    result.message = "The mesh has a face that is not a triangle.";
+    return result;
+  }
+  const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
+  std::vector<char> features(mesh.number_of_edges(), 0);
+  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i) { features[i] = get(is_feature, e); });
+  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  std::vector<internal::Indexed_triangle_mesh::Vector_3> directions;
+  std::vector<double> weights;
+  result = internal::find_curvature_directions(mesh, target_edge_length, features, any_visitor, directions, weights);
+  if(!result.is_valid())
+    return result;
+  const auto fim = internal::face_numbers(tm, np);
+  for(auto f : faces(tm))
+  {
+    const auto i = get(fim, f);
+    const auto& d = directions[i];
+    put(direction, f, weights[i] > 0 ? Optional_direction(Vector_3(d.x(), d.y(), d.z())) : Optional_direction());
+    put(weight, f, weights[i]);
+  }
+  return result;
+}
+
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_FIELDS_CURVATURE_DIRECTIONS_H
