@@ -98,18 +98,22 @@ int main(int argc, char* argv[])
     options.add_options()
       ("reference", po::value<std::string>(), "triangle mesh that the result is smoothed on (default: the surface of IN)")
       ("method", po::value<std::string>()->default_value("layout"), "layout: search a coarse layout and multiply its dual curves; helices: remove helices one by one")
-      ("iterations", po::value<unsigned int>()->default_value(10000), "number of layouts that are tried")
+      ("iterations", po::value<long long>()->default_value(10000), "number of layouts that are tried")
       ("merge-singularities", "allow irregular vertices to be merged with each other and moved onto sharp edges")
       ("collapse-loops", "collapse all dual curves that can be collapsed, at the end")
       ("sharp-angle", po::value<double>()->default_value(40), "edges with a larger angle between normals are kept, those of the reference if there is one (degrees; 180 = none)")
-      ("target-quads", po::value<std::size_t>()->default_value(0), "largest number of quads (0 = as many as IN; 1 = the layout itself)")
-      ("target-patches", po::value<std::size_t>()->default_value(0), "largest size of the base complex (0 = no target)")
+      ("target-quads", po::value<long long>()->default_value(0), "largest number of quads (0 = as many as IN; 1 = the layout itself)")
+      ("target-patches", po::value<long long>()->default_value(0), "largest size of the base complex (0 = no target)")
       ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
     command_line::Arguments args("optimize_quad_structure",
                                  "makes the base complex of the quad mesh IN coarser and writes OUT", { "IN", "OUT" }, options);
     if(!args.parse(argc, argv))
       return static_cast<int>(command_line::done);
     const double sharp_angle = args.number("sharp-angle", 0, 180);
+    const long long most = (std::numeric_limits<unsigned int>::max)();
+    const long long number_of_iterations = args.whole_number("iterations", 0, most);
+    const long long number_of_quads = args.whole_number("target-quads", 0, most);
+    const long long number_of_patches = args.whole_number("target-patches", 0, most);
     const QM::Structure_method method = args.choice("method", { "layout", "helices" }) == 0
                                         ? QM::Structure_method::LAYOUT : QM::Structure_method::HELICES;
     Mesh qm = read_quad_mesh(args.positional(0));
@@ -137,11 +141,11 @@ int main(int argc, char* argv[])
     timer.start();
     command_line::Progress_bar progress;
     const auto np = CGAL::parameters::structure_method(method)
-                      .number_of_iterations(args.value<unsigned int>("iterations"))
+                      .number_of_iterations(static_cast<unsigned int>(number_of_iterations))
                       .merge_singularities(args.has("merge-singularities"))
                       .collapse_dual_curves(args.has("collapse-loops"))
-                      .target_number_of_quads(args.value<std::size_t>("target-quads"))
-                      .target_number_of_patches(args.value<std::size_t>("target-patches"))
+                      .target_number_of_quads(static_cast<std::size_t>(number_of_quads))
+                      .target_number_of_patches(static_cast<std::size_t>(number_of_patches))
                       .edge_is_constrained_map(is_sharp)
                       .visitor(std::ref(progress));
     const QM::Quad_structure_optimization_result result = args.has("reference")

@@ -1094,6 +1094,30 @@ void test_fuzz()
   assert(2 * refused > number);
 }
 
+// Large elements take no time that grows with their square.
+void test_large_elements()
+{
+  std::cout << "many faces at an edge, many corners at a place" << std::endl;
+  Mesh tm;
+  CGAL::Timer timer;
+  timer.start();
+  const int n = 30000;
+  std::ostringstream book, face;
+  book << "v 0 0 0\nv 0 0 1\n";
+  for(int i = 0; i < n; ++i)
+    book << "v " << std::cos(0.01 + i * 1e-4) << " " << std::sin(0.01 + i * 1e-4) << " 0.5\n";
+  for(int i = 0; i < n; ++i)
+    book << "f 1 2 " << i + 3 << "\n";
+  assert(read_text("book.obj", book.str(), tm) && tm.number_of_faces() >= static_cast<std::size_t>(n));
+  face << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf";
+  for(int i = 0; i < n; ++i)
+    face << " 1 1 2 1 2 2";
+  Result result = read_text("repeated.obj", face.str() + " 3\nf 1 2 3\n", tm);
+  assert(result && tm.number_of_faces() == 1 && is_near(PMP::area(tm), 0.5));
+  std::cout << "  " << timer.time() << " s" << std::endl;
+  assert(timer.time() < 10);
+}
+
 // Names of statuses are those of their enumerators.
 void test_status_names()
 {
@@ -1162,6 +1186,7 @@ int main(int argc, char** argv)
     { "switches", test_switches },
     { "polygons", test_polygons },
     { "fuzz", test_fuzz },
+    { "large_elements", test_large_elements },
     { "status_names", test_status_names },
     { "soup", test_soup },
     { "json", test_json }

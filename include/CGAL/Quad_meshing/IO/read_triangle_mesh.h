@@ -12,7 +12,7 @@
 #include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
 #include <CGAL/Quad_meshing/IO/internal/Triangle_surface.h>
 #include <CGAL/Quad_meshing/IO/internal/build_mesh.h>
-#include <CGAL/Quad_meshing/parameters.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -72,6 +72,8 @@ read_triangle_mesh(const std::string& filename,
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
+  static_assert(internal::Takes_parameters<NamedParameters, internal_np::repair_t, internal_np::vertex_point_t>::value,
+                "read_triangle_mesh() does not take all of these named parameters.");
   typedef typename GetVertexPointMap<FaceGraph, NamedParameters>::type VertexPointMap;
 
   Mesh_reading_result result;

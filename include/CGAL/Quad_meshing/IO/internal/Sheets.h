@@ -294,13 +294,28 @@ private:
     {
       pairs.clear();
       const std::vector<Sheet> sheets = sorted_sheets(fan);
-      for(std::size_t i = 0; i < sheets.size(); ++i)
-        for(std::size_t j = i + 1; j < sheets.size(); ++j)
-          if(m_partner[sheets[i].side] == no_index && m_partner[sheets[j].side] == no_index)
-            pairs.push_back({has_two_sides(sheets[i]) != has_two_sides(sheets[j]),
-                             is_reliable && sheets[i].upwards == sheets[j].upwards,
-                             std::abs(std::abs(sheets[i].angle - sheets[j].angle) - CGAL_PI),
-                             (std::min)(sheets[i].side, sheets[j].side), (std::max)(sheets[i].side, sheets[j].side)});
+      // Among many sheets each looks at those nearest to its continuation only.
+      const std::size_t n = sheets.size();
+      constexpr std::size_t many = 32, number_of_candidates = 8;
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        const double opposite = sheets[i].angle + (sheets[i].angle < CGAL_PI ? CGAL_PI : -CGAL_PI);
+        const auto found = std::lower_bound(sheets.begin(), sheets.end(), opposite,
+                                            [](const Sheet& sheet, double a) { return sheet.angle < a; });
+        const std::size_t at = static_cast<std::size_t>(found - sheets.begin());
+        const std::size_t first = n <= many ? i + 1 : at + n - number_of_candidates / 2;
+        const std::size_t last = n <= many ? n : first + number_of_candidates;
+        for(std::size_t k = first; k < last; ++k)
+        {
+          const std::size_t j = k % n;
+          if(i == j || m_partner[sheets[i].side] != no_index || m_partner[sheets[j].side] != no_index)
+            continue;
+          pairs.push_back({ has_two_sides(sheets[i]) != has_two_sides(sheets[j]),
+                            is_reliable && sheets[i].upwards == sheets[j].upwards,
+                            std::abs(std::abs(sheets[i].angle - sheets[j].angle) - CGAL_PI),
+                            (std::min)(sheets[i].side, sheets[j].side), (std::max)(sheets[i].side, sheets[j].side) });
+        }
+      }
       std::sort(pairs.begin(), pairs.end(),
                 [](const Pair& s, const Pair& t) {
                   return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) <

@@ -114,19 +114,30 @@ private:
   // Leaves out what a cycle of corners says twice: neighbors at one place, and antennas (a b a becomes a).
   void simplify(std::vector<Soup_index>& cycle) const
   {
-    for(std::size_t i = 0; i < cycle.size() && cycle.size() > 1;)
+    auto is_same = [&](std::size_t i, std::size_t j) { return place(cycle[i]) == place(cycle[j]); };
+    std::size_t n = 0; // what is left, as a path
+    for(std::size_t i = 0; i < cycle.size(); ++i)
     {
-      const std::size_t n = cycle.size();
-      const bool is_repeated = place(cycle[i]) == place(cycle[(i + 1) % n]);
-      if(!is_repeated && !(n > 2 && place(cycle[i]) == place(cycle[(i + 2) % n])))
-      {
-        ++i;
-        continue;
-      }
-      std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(i), cycle.end());
-      cycle.erase(cycle.begin() + 1, cycle.begin() + (is_repeated ? 2 : 3));
-      i = 0;
+      if(n >= 2 && is_same(n - 2, i))
+        --n;
+      else if(n == 0 || !is_same(n - 1, i))
+        cycle[n++] = cycle[i];
     }
+    // and across its ends
+    std::size_t first = 0;
+    while(n >= first + 2)
+    {
+      if(is_same(first, n - 1))
+        --n;
+      else if(n >= first + 3 && is_same(first + 1, n - 1))
+        ++first;
+      else if(n >= first + 3 && is_same(first, n - 2))
+        --n;
+      else
+        break;
+    }
+    cycle.resize(n);
+    cycle.erase(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
   bool has_distinct_corners(std::size_t f) const
