@@ -111,9 +111,9 @@ int main(int argc, char* argv[])
        "0 to 1: how much quads follow the directions in which the surface bends least")
       ("rounding", po::value<std::string>()->default_value("greedy"), "direct, greedy or lattice: how integers are found")
       ("optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")
-      ("seed", po::value<unsigned int>()->default_value(0),
+      ("seed", po::value<long long>()->default_value(0),
        "seed of the edge lengths that are tried when the given one allows no valid map")
-      ("threads", po::value<unsigned int>()->default_value(1), "how many threads may work at the same time; the result is the same")
+      ("threads", po::value<long long>()->default_value(1), "how many threads may work at the same time; the result is the same")
       ("time-limit", po::value<double>(), "seconds after which the best mesh so far is written")
       ("save-field", po::value<std::string>(), "file for the cross field: x y z of a centroid and of a direction per line")
       ("save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")
@@ -138,9 +138,11 @@ int main(int argc, char* argv[])
 
     const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
     command_line::check_mesh_output(args.positional(1));
-    for(const char* file : { "save-field", "save-uv", "json" })
+    for(const char* file : { "save-field", "json" })
       if(args.has(file))
         command_line::check_output(args.value<std::string>(file));
+    if(args.has("save-uv"))
+      command_line::check_output(args.value<std::string>("save-uv"), { "obj" });
 
     Quadrangulation q(tm, tm.points());
     q.options.target_edge_length = edge_length;
@@ -151,8 +153,8 @@ int main(int argc, char* argv[])
     q.options.cross_field_method = field;
     q.options.rounding_method = rounding;
     q.options.optimize_structure = args.has("optimize-structure");
-    q.options.number_of_threads = args.value<unsigned int>("threads");
-    q.options.random_seed = args.value<unsigned int>("seed");
+    q.options.number_of_threads = args.number_of_threads();
+    q.options.random_seed = args.random_seed();
 
     if(args.has("time-limit"))
       q.options.maximum_running_time = args.positive_number("time-limit");

@@ -46,7 +46,7 @@ surface, finer ones are. Where sharp edges leave no room for a map without fold-
 message says what part of their length that is. Edges that `edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is tried.
 
 Each component is quadrangulated by itself. If some have no valid mesh, `qm` holds all others, and the message names those by
-their faces. A vertex in which borders touch is divided: each border has one of its own in `qm`.
+their faces. A vertex in which borders touch is divided: each fan of triangles gets one of its own.
 
 The result depends on nothing but the surface and the parameters: not on the numbers of vertices and faces.
 

@@ -59,7 +59,7 @@ struct Quadrangulation_result
   std::size_t input_faces = 0;
   std::size_t components = 0;
   std::size_t failed_components = 0;        ///< of which there is no mesh
-  std::size_t divided_vertices = 0;         ///< vertices in which borders touch; each border has one of its own in the result
+  std::size_t divided_vertices = 0;         ///< vertices in which borders touch; each fan of triangles has one of its own
 
   /// The edge length that was used, in the unit of the points; that of the largest component, if it differs between them.
   double target_edge_length = 0;

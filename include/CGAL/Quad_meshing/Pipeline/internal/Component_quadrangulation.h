@@ -148,7 +148,12 @@ private:
                              parameters::edge_is_constrained_map(m_surface.is_feature).visitor(std::ref(m_visitor)));
       if(!guides.is_valid())
       {
-        fail(m_visitor.is_stopped() ? Status::STOPPED : m_visitor.is_time_up() ? Status::OUT_OF_TIME : Status::FAILED, guides.message);
+        if(m_visitor.is_stopped())
+          fail(Status::STOPPED, guides.message);
+        else if(guides.status == Curvature_guide_status::STOPPED)
+          fail(Status::OUT_OF_TIME, "The time was up before there was a mesh.");
+        else
+          fail(Status::FAILED, guides.message);
         return false;
       }
     }

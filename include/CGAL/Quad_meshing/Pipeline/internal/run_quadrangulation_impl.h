@@ -281,7 +281,9 @@ private:
     for(std::size_t i = 0; i < m_components.size() && named < most_named; ++i)
       if(!m_components[i]->result.is_valid())
       {
-        const std::size_t face = m_surfaces[i]->origin[*m_surfaces[i]->mesh.faces().begin()];
+        std::size_t face = m_input.triangles.size();
+        for(Mesh::Face_index f : m_surfaces[i]->mesh.faces())
+          face = (std::min)(face, m_surfaces[i]->origin[f]);
         m_result.message += (named == 0 ? ": that of face " : "; that of face ") + std::to_string(face) + ": " +
                             without_period(m_components[i]->result.message);
         ++named;
@@ -303,10 +305,10 @@ private:
       m_result.message += "; " + std::to_string(m_result.divided_vertices) +
                           (m_result.divided_vertices == 1 ? " vertex in which borders touch was" : " vertices in which borders touch were") +
                           " divided";
-    if(m_visitor.is_time_up())
+    if(m_visitor.is_time_up() && m_result.quads > 0)
       m_result.message += "; the time limit ended the search for a better one";
     const double quads = static_cast<double>(m_result.quads + m_result.other_faces);
-    if(asks_for_number() && m_result.quads > 0 && !is_as_promised(quads, m_options.target_number_of_quads))
+    if(asks_for_number() && m_result.quads > 0 && m_result.failed_components == 0 && !is_as_promised(quads, m_options.target_number_of_quads))
       m_result.message += "; " + std::to_string(m_result.quads) + " quads instead of " +
                           std::to_string(std::lround(m_options.target_number_of_quads)) +
                           (quads > m_options.target_number_of_quads ?
