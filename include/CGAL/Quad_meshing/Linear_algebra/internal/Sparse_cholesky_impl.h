@@ -118,7 +118,7 @@ private:
   struct Solver : Eigen::CholmodDecomposition<Matrix, Eigen::Lower>
   {
     const cholmod_factor& factor() const { return *this->m_cholmodFactor; }
-    double number_of_entries() const { return this->m_cholmod.lnz; }
+    double number_of_entries() { return this->cholmod().lnz; }
   };
 
   void view_factor(Supernodal_factor<Number>& view) const
