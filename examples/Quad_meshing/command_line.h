@@ -214,7 +214,8 @@ public:
   {
     const double x = value<double>(option);
     if(!(std::isfinite(x) && low <= x && x <= high))
-      throw Unusable_input("--" + option + " must be a number from " + text(low) + " to " + text(high) + ", not " + text(x));
+      throw Unusable_input("--" + option + " must be a number from " + text(low) + " to " + text(high) + ", not " +
+                           text(x));
     return x;
   }
 
@@ -302,9 +303,10 @@ Mesh read_mesh(const std::string& filename)
 
 // Reads points and polygons as they are in the file.
 template <typename Point>
-void read_soup(const std::string& filename, std::vector<Point>& points, std::vector<std::vector<std::size_t> >& polygons)
+void read_soup(const std::string& filename, std::vector<Point>& points, std::vector<std::vector<std::size_t>>& polygons)
 {
-  const CGAL::Quad_meshing::Mesh_reading_result result = CGAL::Quad_meshing::read_polygon_soup(filename, points, polygons);
+  const CGAL::Quad_meshing::Mesh_reading_result result =
+      CGAL::Quad_meshing::read_polygon_soup(filename, points, polygons);
   if(!result)
     throw Unusable_input(filename + ": " + result.message);
 }
@@ -340,7 +342,8 @@ inline void check_output(const std::string& filename, const std::vector<std::str
     std::string list;
     for(const std::string& format : formats)
       list += (list.empty() ? "" : ", ") + format;
-    throw Unusable_input(filename + ": the format '" + extension + "' is not " + (formats.size() > 1 ? "one of " : "") + list);
+    throw Unusable_input(filename + ": the format '" + extension + "' is not " + (formats.size() > 1 ? "one of " : "") +
+                         list);
   }
   check_output(filename);
 }

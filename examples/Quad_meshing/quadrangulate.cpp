@@ -105,7 +105,7 @@ int main(int argc, char* argv[])
       ("sharp-angle", po::value<double>()->default_value(40),
        "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")
       ("align-boundary", po::value<std::string>()->default_value("on"), "on or off: make the boundary a chain of quad edges")
-      ("field", po::value<std::string>()->default_value("representation"),
+      ("field", po::value<std::string>()->default_value("polished"),
        "representation, greedy or polished: how the singularities of the cross field are found")
       ("curvature-alignment", po::value<double>()->default_value(1),
        "0 to 1: how much quads follow the directions in which the surface bends least")

@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
 #include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
@@ -28,12 +29,14 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 
 namespace QM = CGAL::Quad_meshing;
 namespace np = CGAL::parameters;
 
 typedef QM::Quadrangulation_mesh Mesh;
+typedef QM::Quadrangulation_kernel::Vector_3 Vector_3;
 
 int main(int argc, char* argv[])
 {
@@ -53,10 +56,13 @@ int main(int argc, char* argv[])
     QM::detect_feature_edges(s.mesh, 40, length, s.is_feature);
     QM::split_for_alignment(s.mesh, s.mesh.points(), s.is_feature, true, s.origin, 1.5 * length);
 
-    // Directions for the quads, ...
+    // Directions for the quads, that follow the sharp edges and the curvature of the surface, ...
+    auto direction = s.mesh.add_property_map<Mesh::Face_index, std::optional<Vector_3> >("f:direction").first;
+    auto weight = s.mesh.add_property_map<Mesh::Face_index, double>("f:weight", 0).first;
+    QM::curvature_directions(s.mesh, length, direction, weight, np::edge_is_constrained_map(s.is_feature));
     const auto field = QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index,
                                               np::target_edge_length(length).edge_is_constrained_map(s.is_feature)
-                                                .cross_field_method(QM::Cross_field_method::REPRESENTATION));
+                                                .face_direction_map(direction).face_direction_weight_map(weight));
     std::cout << field.message << " " << field.singularities << " singularities" << std::endl;
 
     // ... a map to the plane along them, ...

@@ -35,6 +35,7 @@
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Quad_meshing/IO/Flat_json.h>
+#include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
 #include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 #include <CGAL/Quad_meshing/Layout/Arc_subdivision.h>

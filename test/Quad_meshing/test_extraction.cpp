@@ -95,6 +95,10 @@ void check_exact(const Coarse_mesh& coarse, const Options& o, bool simple = true
   assert(qf.index_sum() == 4 * qf.euler());
   assert(r.quads == qf.faces && r.vertices == qf.vertices && r.other_faces == 0);
   assert(r.irregular_vertices == qf.irregular_vertices());
+  std::size_t irregular_on_border = 0;
+  for(const auto& v : irregular(qf.border_valences, 3))
+    irregular_on_border += v.second;
+  assert(r.irregular_border_vertices == irregular_on_border);
   assert(r.same_topology && r.is_usable() == simple);
   assert(r.edges_cut_by_border == 0 && r.uncovered_area == 0 && r.cells_with_holes == 0 && r.removed_edges == 0 && r.split_vertices == 0);
   check_locations(m, qm, locations);

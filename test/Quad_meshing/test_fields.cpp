@@ -694,7 +694,8 @@ void test_annihilation()
       I::Jump_candidates candidates(problem, laplacian);
       candidates.update(field, quads, silent.progress);
       const double foreseen = candidates.change_path(path, field), change = problem.energy(spoilt) - problem.energy(field);
-      assert(change > 0.1 && std::abs(foreseen - change) < 0.05 * change);
+      // What half columns neglect adds up along the path: to 5.2 % of the change for ten edges with the order of CHOLMOD.
+      assert(change > 0.1 && std::abs(foreseen - change) < 0.08 * change);
       candidates.update(spoilt, quads, silent.progress);
       const double residual = candidates[0].residual, self = candidates.energy_change(0, 1);
       I::Cross_field changed = spoilt;

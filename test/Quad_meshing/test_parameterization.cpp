@@ -25,6 +25,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
 #include <CGAL/Quad_meshing/internal/Regularized_determinant.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -806,6 +807,50 @@ void test_stiffening()
   assert(greatest > 1.05);
 }
 
+// Without a length, the feature edges are the sharp edges that CGAL finds, the border apart.
+void test_sharp_edges()
+{
+  for(const test_meshes::Soup& soup : { test_meshes::perturbed(test_meshes::icosphere(2), 0.15, 4),
+                                        test_meshes::perturbed(test_meshes::cylinder(12, 6, false), 0.3, 5) })
+    for(double degrees : { 5., 20., 45., 60., 89., 91., 120., 150., 180. })
+    {
+      Mesh tm = test_meshes::make_mesh(soup);
+      auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", true).first;
+      auto is_sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:s", false).first;
+      const auto r = QM::detect_feature_edges(tm, degrees, 0, is_feature);
+      CGAL::Polygon_mesh_processing::detect_sharp_edges(tm, degrees, is_sharp);
+      std::size_t n = 0;
+      for(Mesh::Edge_index e : tm.edges())
+      {
+        assert(is_feature[e] == (is_sharp[e] && !tm.is_border(e)));
+        n += is_feature[e];
+      }
+      assert(n == r.number_of_edges && r.number_of_dropped_edges == 0);
+      assert(n > 0 || degrees > 90);
+    }
+}
+
+// What lies within one and a half units of something else is watched, and nothing further away: the long sides of a strip of
+// 1.2 quads, but not of 1.8.
+void test_separations()
+{
+  const double length = 0.2;
+  for(double height : { 0.24, 0.36 })
+  {
+    const Mapped m = map_of(test_meshes::grid(20, 3, 2, height), length, QM::Rounding_method::GREEDY, "strip");
+    Solver_of s(m, length);
+    assert(s.solver->solve_seamless(1, 0));
+    const QM::internal::Separations separations(s.solver->coordinates, s.solver->grid_points(), s.is_aligned,
+                                                s.solver->relaxed, s.silent.progress);
+    assert(separations.list.empty() == (height > 1.5 * length));
+    for(const auto& separation : separations.list)
+    {
+      assert(separation.holds(s.solver->relaxed) && !separation.holds(-s.solver->relaxed));
+      assert(std::abs(std::abs(separation.wanted[separation.dominant()]) - height / length) < 1e-6);
+    }
+  }
+}
+
 // Wherever the visitor says stop, the call ends and the map is not written.
 void test_stops()
 {
@@ -859,6 +904,8 @@ int main(int argc, char** argv)
     { "orientation_energy", test_orientation_energy },
     { "parameters", test_parameters },
     { "stiffening", test_stiffening },
+    { "sharp_edges", test_sharp_edges },
+    { "separations", test_separations },
     { "stops", test_stops }
   });
 }

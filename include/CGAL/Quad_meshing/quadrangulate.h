@@ -100,8 +100,8 @@ The result depends on nothing but the surface and the parameters: not on the num
   \cgalParamNBegin{cross_field_method}
     \cgalParamDescription{how the singularities of the cross field are found}
     \cgalParamType{`Cross_field_method`}
-    \cgalParamDefault{`Cross_field_method::REPRESENTATION`: smoother fields have fewer singularities, but their maps are more distorted}
-    \cgalParamExtra{if the map for `REPRESENTATION` is folded over, the one for `POLISHED` is tried as well}
+    \cgalParamDefault{`Cross_field_method::POLISHED`}
+    \cgalParamExtra{if the map for `POLISHED` is folded over, the one for `REPRESENTATION` is tried as well, and the other way round}
   \cgalParamNEnd
   \cgalParamNBegin{rounding_method}
     \cgalParamDescription{how the integers of the map are chosen}

@@ -25,7 +25,8 @@ enum class Quad_extraction_status
 {
   VALID,       ///< The map is an integer-grid map, and the mesh is the pure quad mesh it stands for.
   NOT_SIMPLE,  ///< As `VALID`, but the mesh is so coarse that two of its edges join the same two vertices or a
-               ///  face meets itself: it is correct as a halfedge data structure, but cannot be stored as a list of faces.
+               ///  face meets itself: it is correct as a halfedge data structure, but cannot be stored as a list of
+               ///  faces.
   REPAIRED,    ///< The map is no integer-grid map. There is a manifold mesh; the other members tell what
                ///  was done and whether faces other than quads or holes remain.
   FAILED,      ///< There is no mesh: the message says why. The output mesh was not touched.
@@ -110,8 +111,8 @@ struct Quad_extraction_result
   /// returns whether a mesh was made and it is all quads.
   bool is_pure() const { return quads > 0 && other_faces == 0; }
 
-  /// returns whether the mesh is a simple manifold mesh of quads only, with the topology of the input, whatever had to be
-  /// done for it.
+  /// returns whether the mesh is a simple manifold mesh of quads only, with the topology of the input, whatever had to
+  /// be done for it.
   bool is_usable() const { return is_pure() && same_topology && multiple_edges == 0; }
 };
 

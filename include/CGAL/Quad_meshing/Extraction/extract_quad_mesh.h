@@ -40,18 +40,19 @@ namespace Quad_meshing {
  * The map gives each triangle an image in the plane; the preimage of the grid of integer
  * isolines is the quad mesh. The map is an *integer-grid map* if (1) across each edge the images
  * of both triangles differ by a rotation by a multiple of 90 degrees and an integer translation, (2) each
- * vertex around which the angles of the images do not add up to 360 degrees lies on a grid point, and (3) all triangles have
- * positive orientation. If all this holds exactly in the `double` numbers given, and
+ * vertex around which the angles of the images do not add up to 360 degrees lies on a grid point, and (3) all triangles
+ * have positive orientation. If all this holds exactly in the `double` numbers given, and
  * borders run along isolines, then the result is a pure quad mesh with the topology of `tm`: all decisions
  * are made by exact predicates. Cells that are cut by a border which does not run along isolines are left out.
  *
  * A map that only nearly fulfills (1) and (2), as one read from a text file, is first moved to the nearest one that
  * fulfills them exactly. Where triangles are folded over, the images of vertices nearby are moved to undo it
- * where this is possible, and else pairs of grid points of opposite orientation are removed; the result is still a manifold mesh,
- * but it may contain faces that are no quads, or holes. The members of `Quad_extraction_result` tell what was done.
+ * where this is possible, and else pairs of grid points of opposite orientation are removed; the result is still a
+ * manifold mesh, but it may contain faces that are no quads, or holes. The members of `Quad_extraction_result` tell
+ * what was done.
  *
- * The function has no tolerance and is deterministic. Its running time is linear in the number of triangles, quads, and crossings
- * of isolines with edges.
+ * The function has no tolerance and is deterministic. Its running time is linear in the number of triangles, quads, and
+ * crossings of isolines with edges.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
  * \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
@@ -67,17 +68,19 @@ namespace Quad_meshing {
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_index_map}
- *     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0` and `num_vertices(tm) - 1`}
+ *     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0` and
+ *     `num_vertices(tm) - 1`}
  *     \cgalParamType{a class model of `ReadablePropertyMap`}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_index_map}
- *     \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0` and `num_faces(tm) - 1`}
+ *     \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0` and
+ *     `num_faces(tm) - 1`}
  *     \cgalParamType{a class model of `ReadablePropertyMap`}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
@@ -88,14 +91,15 @@ namespace Quad_meshing {
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that learns about the progress and can stop the extraction; pass it by `std::ref`}
+ *     \cgalParamDescription{a visitor that learns about the progress and can stop the extraction; pass it by
+ *     `std::ref`}
  *     \cgalParamType{a class with the members of `Default_visitor`}
  *     \cgalParamDefault{`Default_visitor`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * Where the faces around a vertex form several fans, as where two border loops touch, the map of each fan counts for itself: if
- * the vertex lies on a grid point, the quad mesh has one vertex there for each fan.
+ * Where the faces around a vertex form several fans, as where two border loops touch, the map of each fan counts for
+ * itself: if the vertex lies on a grid point, the quad mesh has one vertex there for each fan.
  *
  * \return what was extracted, and what had to be done for it; `FAILED` if a face is no triangle
  *

@@ -31,17 +31,17 @@ namespace Quad_meshing {
  *
  * \brief marks the edges of an extracted quad mesh that run along feature edges of the triangle mesh.
  *
- * In an integer-grid map the feature edges lie on grid lines, so they pass through quad vertices, and two of these that follow
- * each other on a chain of feature edges are joined by a quad edge.
+ * In an integer-grid map the feature edges lie on grid lines, so they pass through quad vertices, and two of these that
+ * follow each other on a chain of feature edges are joined by a quad edge.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
- * \tparam EdgeIsFeatureMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
- *         type and `bool` as value type
+ * \tparam EdgeIsFeatureMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+ *         as key type and `bool` as value type
  * \tparam QuadMesh a model of `EdgeListGraph` and `VertexListGraph`
- * \tparam FaceLocationMap a model of `ReadablePropertyMap` with `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type
- *         and `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type
- * \tparam QuadEdgeIsFeatureMap a model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%edge_descriptor` as key
- *         type and `bool` as value type
+ * \tparam FaceLocationMap a model of `ReadablePropertyMap` with `boost::graph_traits<QuadMesh>::%vertex_descriptor` as
+ *         key type and `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type
+ * \tparam QuadEdgeIsFeatureMap a model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%edge_descriptor`
+ *         as key type and `bool` as value type
  *
  * \param tm the triangle mesh
  * \param is_feature its feature edges

@@ -20,7 +20,8 @@ namespace Quad_meshing {
  */
 enum class Cross_field_method
 {
-  /// A search over the period jumps with exact gains that starts from a smooth representation field (the default and the best).
+  /// A search over the period jumps with exact gains that starts from a smooth representation field (the default and
+  /// the best).
   POLISHED,
   /// The mixed-integer problem over a forest of dual trees, integers rounded one after the other, nearest first.
   GREEDY,
@@ -28,8 +29,8 @@ enum class Cross_field_method
   DIRECT,
   /// As `GREEDY` with the exact solution of the system after every rounding: a yardstick.
   NAIVE,
-  /// The globally smoothest representation field, rounded, without a search: higher energy, more singularities, and often a
-  /// less distorted integer-grid map.
+  /// The globally smoothest representation field, rounded, without a search: higher energy, more singularities, and
+  /// often a less distorted integer-grid map.
   REPRESENTATION
 };
 

@@ -29,8 +29,8 @@ struct Feature_edges_result
   std::size_t number_of_dropped_edges = 0;
   /// The total length of those.
   double dropped_length = 0;
-  /// The number of pieces that were dropped: whole components of the graph of sharp edges, dangling branches, and sides of
-  /// narrow patches.
+  /// The number of pieces that were dropped: whole components of the graph of sharp edges, dangling branches, and sides
+  /// of narrow patches.
   std::size_t number_of_dropped_pieces = 0;
 };
 

@@ -51,14 +51,15 @@ namespace Quad_meshing {
  * consists of a single face with two constrained edges and can therefore not be given one.
  *
  * The mesh may be closed or bounded, of any genus and of several components. Faces of zero
- * area are allowed; a vertex around which the faces form several fans, as where two border loops touch, is not: the index of
- * the field at such a vertex has no meaning. The result does not depend on anything but the input.
+ * area are allowed; a vertex around which the faces form several fans, as where two border loops touch, is not: the
+ * index of the field at such a vertex has no meaning. The result does not depend on anything but the input.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FaceAngleMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double` as
- *   value type
+ * \tparam FaceAngleMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double`
+ *   as value type
  * \tparam EdgePeriodJumpMap a model of `WritablePropertyMap` with the edge descriptor as key and `int` as value type
- * \tparam VertexSingularityMap a model of `WritablePropertyMap` with the vertex descriptor as key and `int` as value type
+ * \tparam VertexSingularityMap a model of `WritablePropertyMap` with the vertex descriptor as key and `int` as value
+ * type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tm the triangle mesh
@@ -66,7 +67,8 @@ namespace Quad_meshing {
  *   `halfedge(f, tm)` to the first direction of the cross of `f`; it lies in \f$ [-\pi/4, \pi/4] \f$
  * \param period_jump gets \f$ p_{ij} \f$ with `i` the face of `halfedge(e, tm)` and `j` the face of
  *   its opposite, for the edge descriptors `e` that `edges(tm)` enumerates (a descriptor made by `edge(h, tm)` may
- *   have the other orientation); 0 for border edges. Direction `a` of the cross of `i` continues as direction `a - p` in `j`.
+ *   have the other orientation); 0 for border edges. Direction `a` of the cross of `i` continues as direction `a - p`
+ *   in `j`.
  * \param index gets the index of the field at a vertex in quarters. For an inner vertex it is 4 minus
  *   the number of quads around it: 1 for valence 3, -1 for valence 5. For a vertex on the border it
  *   is 2 minus this number. The sum of all indices is four times the Euler number if the field is aligned with the
@@ -92,18 +94,18 @@ namespace Quad_meshing {
  *     \cgalParamDefault{no direction is given}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_direction_weight_map}
- *     \cgalParamDescription{how much the directions count: the weight of the squared deviation, in radians, against the squared
- *       differences across edges. With an infinite weight the direction is hard, with 0 or less it does not count. `GREEDY`, `DIRECT` and
- *       `NAIVE` choose period jumps by the hard directions alone.}
+ *     \cgalParamDescription{how much the directions count: the weight of the squared deviation, in radians, against the
+ *       squared differences across edges. With an infinite weight the direction is hard, with 0 or less it does not
+ *       count. `GREEDY`, `DIRECT` and `NAIVE` choose period jumps by the hard directions alone.}
  *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
  *     \cgalParamDefault{all directions are hard}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_length}
  *     \cgalParamDescription{the edge length of the quad mesh the field is made for. If it is given, inner vertices
- *       get three quads or more, where others can spare one, and opposite singularities closer to each other than half of it
- *       annihilate each other, unless one lies on a constrained edge: no grid with such quads has room for both. With
- *       `Cross_field_method::POLISHED`, and only there, singularities are also kept off places that are closer than half of it
- *       to a constrained edge without being on it, if that costs little energy.}
+ *       get three quads or more, where others can spare one, and opposite singularities closer to each other than half
+ *       of it annihilate each other, unless one lies on a constrained edge: no grid with such quads has room for both.
+ *       With `Cross_field_method::POLISHED`, and only there, singularities are also kept off places that are closer
+ *       than half of it to a constrained edge without being on it, if that costs little energy.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{only the smoothness counts: singularities may be anywhere and have any index}
  *   \cgalParamNEnd
@@ -113,9 +115,9 @@ namespace Quad_meshing {
  *     \cgalParamDefault{`Cross_field_method::POLISHED`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_bound_rounds}
- *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes of
- *       at most a few hundred triangles: six take some seconds with 100 integers, and each step takes time cubic in them. See
- *       `solve_mixed_integer()`.}
+ *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes
+ *       of at most a few hundred triangles: six take some seconds with 100 integers, and each step takes time cubic in
+ *       them. See `solve_mixed_integer()`.}
  *     \cgalParamType{`int`}
  *     \cgalParamDefault{`0`}
  *   \cgalParamNEnd
@@ -139,8 +141,8 @@ namespace Quad_meshing {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the energy and other figures. If its status is not `SUCCESS` it says why; unless it is `EMPTY_SECTORS`, nothing
- * was written to the maps.
+ * \return the energy and other figures. If its status is not `SUCCESS` it says why; unless it is `EMPTY_SECTORS`,
+ * nothing was written to the maps.
  *
  * \sa `cross_field_direction()`
  * \sa `cross_field_indices()`

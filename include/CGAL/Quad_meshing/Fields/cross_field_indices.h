@@ -156,20 +156,24 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
 /*!
  * \ingroup PkgQuadMeshingFieldsRef
  *
- * \brief computes the singularity indices of a cross field from its angles and period jumps, and tells what is wrong with it.
+ * \brief computes the singularity indices of a cross field from its angles and period jumps, and tells what is wrong
+ * with it.
  *
  * This is what has to be done after a cross field was edited by hand, or read from a file, before it is given to
- * `integer_grid_map()`: turning a cross by a right angle, or changing a period jump, moves quads from one vertex to another. The
- * sum of all indices of a field that follows the border is four times the Euler number, whatever its period jumps are.
+ * `integer_grid_map()`: turning a cross by a right angle, or changing a period jump, moves quads from one vertex to
+ * another. The sum of all indices of a field that follows the border is four times the Euler number, whatever its
+ * period jumps are.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam FaceAngleMap a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type
  * \tparam EdgePeriodJumpMap a model of `ReadablePropertyMap` with the edge descriptor as key and `int` as value type
- * \tparam VertexSingularityMap a model of `WritablePropertyMap` with the vertex descriptor as key and `int` as value type
+ * \tparam VertexSingularityMap a model of `WritablePropertyMap` with the vertex descriptor as key and `int` as value
+ * type
  *
  * \param tm the triangle mesh
  * \param angle, period_jump the field as `smooth_cross_field()` describes it
- * \param index gets the index of every vertex in quarters; nothing is written if the mesh is of no use or an angle is not finite
+ * \param index gets the index of every vertex in quarters; nothing is written if the mesh is of no use or an angle is
+ * not finite
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
@@ -198,8 +202,8 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return what is wrong with the field; a face with two constrained edges that are neither parallel nor orthogonal counts as
- *   not following one of them
+ * \return what is wrong with the field; a face with two constrained edges that are neither parallel nor orthogonal
+ *   counts as not following one of them
  *
  * \sa `check_cross_field()`
  */
@@ -220,12 +224,13 @@ cross_field_indices(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMa
 /*!
  * \ingroup PkgQuadMeshingFieldsRef
  *
- * \brief tells whether a cross field is consistent: its crosses follow the constrained edges, its period jumps continue the
- * directions along them, its indices are those of its angles and period jumps, and no sector is without a quad.
+ * \brief tells whether a cross field is consistent: its crosses follow the constrained edges, its period jumps continue
+ * the directions along them, its indices are those of its angles and period jumps, and no sector is without a quad.
  *
  * The parameters are those of `cross_field_indices()`; `index` is read, not written.
  *
- * \tparam VertexSingularityMap a model of `ReadablePropertyMap` with the vertex descriptor as key and `int` as value type
+ * \tparam VertexSingularityMap a model of `ReadablePropertyMap` with the vertex descriptor as key and `int` as value
+ * type
  *
  * \sa `cross_field_indices()`
  */

@@ -33,18 +33,18 @@ namespace Quad_meshing {
  *
  * \brief finds the directions in which the surface bends least, and how much they count.
  *
- * Shape operators are averaged over disks about the faces, whose radii are about the target edge length: what is smaller than a
- * quad does not count. A direction is reliable where one principal curvature is much stronger than the other, where the
- * surface is bent at all, and where disks of different radii agree \cgalCite{Bom12} (8.1). On planes and
- * spheres no direction is. Where triangles are much smaller than quads, some of them speak for their neighbors.
+ * Shape operators are averaged over disks about the faces, whose radii are about the target edge length: what is
+ * smaller than a quad does not count. A direction is reliable where one principal curvature is much stronger than the
+ * other, where the surface is bent at all, and where disks of different radii agree \cgalCite{Bom12} (8.1). On planes
+ * and spheres no direction is. Where triangles are much smaller than quads, some of them speak for their neighbors.
  *
- * The weight of a direction is its reliability, from 0 to 1, times the area that it speaks for, in quads. So the sum over all
- * faces does not depend on the triangles. With such weights the directions are soft guides of `smooth_cross_field()`; `salient_directions()` gives
- * hard ones, and fewer.
+ * The weight of a direction is its reliability, from 0 to 1, times the area that it speaks for, in quads. So the sum
+ * over all faces does not depend on the triangles. With such weights the directions are soft guides of
+ * `smooth_cross_field()`; `salient_directions()` gives hard ones, and fewer.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and an optional vector,
- *   such as `std::optional<Vector_3>`, as value type
+ * \tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and an
+ *   optional vector, such as `std::optional<Vector_3>`, as value type
  * \tparam FaceWeightMap a model of `WritablePropertyMap` with the face descriptor as key and `double` as value type
  *
  * \param tm the triangle mesh

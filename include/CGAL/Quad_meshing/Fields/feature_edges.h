@@ -29,15 +29,16 @@ namespace Quad_meshing {
 \brief marks the sharp edges of a triangle mesh that are worth a chain of quad edges.
 
 An edge is sharp if the normals of its two faces differ by at least `angle_in_degrees`. On scanned surfaces this
-finds hundreds of short creases that are noise, and each of them would force the quads around it. With `l` for the target
-edge length, a patch of the surface between sharp edges that is narrower than `l / 4` (twice its area over its perimeter) is
-joined to the neighbor that it bends least to: of the two creases along a sliver one is left. Then the following pieces of
-the graph of sharp edges are dropped, repeatedly:
+finds hundreds of short creases that are noise, and each of them would force the quads around it. With `l` for the
+target edge length, a patch of the surface between sharp edges that is narrower than `l / 4` (twice its area over its
+perimeter) is joined to the neighbor that it bends least to: of the two creases along a sliver one is left. Then the
+following pieces of the graph of sharp edges are dropped, repeatedly:
 - branches that end freely and are shorter than `1.5 l`;
-- components with a free end that are shorter than `25 l`, components without one (closed curves) that are shorter than `5 l`;
+- components with a free end that are shorter than `25 l`, components without one (closed curves) that are shorter than
+`5 l`;
 - components that zigzag: the mean ratio of chord to arc over pieces of arc length `2 l` is below 0.85;
-- components whose chains between two nodes (vertices with other than two sharp edges) have a mean length below `1.5 l`: quads of
-  that size cannot follow them.
+- components whose chains between two nodes (vertices with other than two sharp edges) have a mean length below `1.5 l`:
+  quads of that size cannot follow them.
 
 Border edges are not marked; a crease that ends on the border does not end freely.
 

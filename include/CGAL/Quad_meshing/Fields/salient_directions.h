@@ -35,13 +35,14 @@ namespace Quad_meshing {
  * These are the faces in parabolic regions: there one principal curvature is much stronger than the
  * other, so their directions are well defined. A face gets a direction if the shape operators of disks of radius `r`
  * about it are anisotropic and bent for all `r` in an interval of half the target edge length; of several such
- * intervals the one with the steadiest direction counts. The directions are sparse constraints for `smooth_cross_field()`.
+ * intervals the one with the steadiest direction counts. The directions are sparse constraints for
+ * `smooth_cross_field()`.
  *
  * The principal directions near flat and umbilic points are noise, and are left out on purpose.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and an optional vector,
- *   such as `std::optional<Vector_3>`, as value type
+ * \tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and an
+ *   optional vector, such as `std::optional<Vector_3>`, as value type
  *
  * \param tm the triangle mesh
  * \param target_edge_length the edge length of the quad mesh the directions are for; the largest disks have this radius
@@ -50,7 +51,8 @@ namespace Quad_meshing {
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{minimum_anisotropy}
- *     \cgalParamDescription{the relative difference of the absolute principal curvatures from which on a disk counts as parabolic}
+ *     \cgalParamDescription{the relative difference of the absolute principal curvatures from which on a disk counts as
+ *     parabolic}
  *     \cgalParamType{`double`, from 0 to 1}
  *     \cgalParamDefault{0.8}
  *   \cgalParamNEnd

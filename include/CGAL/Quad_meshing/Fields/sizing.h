@@ -54,13 +54,13 @@ double edge_length_for_number_of_quads(const TriangleMesh& tm, double number_of_
  *
  * \brief computes target edge lengths that adapt to the curvature.
  *
- * An edge over an arc of radius `R` leaves the surface by `t` if its length is \f$ 2 \sqrt{2 R t - t^2} \f$. Every face gets
- * this length for the stronger principal curvature and the tolerance `t`, within the given bounds. Then lengths are reduced where
- * they grow too fast: along the surface they grow by at most `sizing_gradation` per unit of length.
+ * An edge over an arc of radius `R` leaves the surface by `t` if its length is \f$ 2 \sqrt{2 R t - t^2} \f$. Every face
+ * gets this length for the stronger principal curvature and the tolerance `t`, within the given bounds. Then lengths
+ * are reduced where they grow too fast: along the surface they grow by at most `sizing_gradation` per unit of length.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FaceSizingMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double` as value
- *   type
+ * \tparam FaceSizingMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double`
+ *   as value type
  *
  * \param tm the triangle mesh
  * \param tolerance the distance allowed between an edge and the surface

@@ -72,12 +72,12 @@ struct Mesh_repairs
   bool merge_vertices = true;
 
   /// The largest distance of two vertices at the border that are taken for one, as a share of the diagonal of the
-  /// bounding box. It is never more than a tenth of the shortest side of a face at either of the two; vertices at exactly
-  /// one place are merged whatever it is.
+  /// bounding box. It is never more than a tenth of the shortest side of a face at either of the two; vertices at
+  /// exactly one place are merged whatever it is.
   double merging_distance = 1e-6;
 
-  /// Faces with fewer than three distinct vertices are dropped, and of faces that are there more than once, in the same or
-  /// in opposite directions, one copy stays.
+  /// Faces with fewer than three distinct vertices are dropped, and of faces that are there more than once, in the same
+  /// or in opposite directions, one copy stays.
   bool drop_copies = true;
 
   /// Triangles of zero area are removed; their middle vertex is inserted into the faces at their longest side.
@@ -86,7 +86,8 @@ struct Mesh_repairs
   /// Faces are oriented consistently.
   bool orient_faces = true;
 
-  /// Edges with more than two faces are separated into sheets, and vertices at which the surface touches itself are split.
+  /// Edges with more than two faces are separated into sheets, and vertices at which the surface touches itself are
+  /// split.
   bool separate_sheets = true;
 
   /// switches all repairs on or off.
@@ -105,9 +106,9 @@ struct Mesh_repairs
  *
  * \brief relates the vertices, or the faces, of a mesh to those of the file that it was read from.
  *
- * Elements of the mesh are counted from 0 in the order of its iterators, elements of the file from 0 in the order of the
- * file. A vertex of the file that was split stands for several vertices of the mesh, a polygon for several triangles;
- * vertices that were merged, and copies of a face, stand for one element of the mesh.
+ * Elements of the mesh are counted from 0 in the order of its iterators, elements of the file from 0 in the order of
+ * the file. A vertex of the file that was split stands for several vertices of the mesh, a polygon for several
+ * triangles; vertices that were merged, and copies of a face, stand for one element of the mesh.
  */
 class File_numbers
 {
@@ -211,7 +212,8 @@ struct Mesh_reading_result
   /// the reason in one sentence without the name of the file, empty after success
   std::string message;
 
-  /// what was done to make the content of the file a triangle mesh, and what is left to know about it, one sentence each
+  /// what was done to make the content of the file a triangle mesh, and what is left to know about it, one sentence
+  /// each
   std::vector<std::string> repairs;
 
   /// how often it was done
@@ -224,8 +226,8 @@ struct Mesh_reading_result
   /// thousandth of the diagonal of the bounding box: the borders of cracks
   std::size_t number_of_crack_edges = 0;
 
-  /// the vertices of the mesh in the numbers of the file; as STL has no numbers, its vertices count in the order in which
-  /// their coordinates first occur
+  /// the vertices of the mesh in the numbers of the file; as STL has no numbers, its vertices count in the order in
+  /// which their coordinates first occur
   File_numbers vertices;
 
   /// the faces of the mesh in the numbers of the file

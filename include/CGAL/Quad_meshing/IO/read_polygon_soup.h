@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
 #include <CGAL/Quad_meshing/IO/internal/read_soup_file.h>
+#include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 
 #include <array>
 #include <cstddef>
@@ -23,15 +24,25 @@ namespace Quad_meshing {
 /*!
  * \ingroup PkgQuadMeshingIORef
  *
+ * \brief reads points and polygons from a file, as the function template of this name does. It is compiled once with
+ * the package.
+ */
+CGAL_QUAD_MESHING_INLINE Mesh_reading_result
+read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3> >& points,
+                  std::vector<std::vector<std::size_t> >& polygons);
+
+/*!
+ * \ingroup PkgQuadMeshingIORef
+ *
  * \brief reads points and polygons from a file and checks them, without any repair.
  *
  * The format is told by the extension: OFF, OBJ, PLY or STL; \ref Quad_meshing_IO_formats says which variants. After
- * success there is at least one polygon, all indices are valid and all coordinates are finite; nothing is said about the
- * shape of the polygons and how they fit together. The function never throws and never prints on account of the file; if
- * it cannot read it says why, and `points` and `polygons` stay as they were.
+ * success there is at least one polygon, all indices are valid and all coordinates are finite; nothing is said about
+ * the shape of the polygons and how they fit together. The function never throws and never prints on account of the
+ * file; if it cannot read it says why, and `points` and `polygons` stay as they were.
  *
- * \tparam PointRange a model of `BackInsertionSequence` whose value type can be constructed from three numbers of type `double`
- * \tparam PolygonRange a model of `BackInsertionSequence` whose value type is a model of
+ * \tparam PointRange a model of `BackInsertionSequence` whose value type can be constructed from three numbers of type
+ * `double` \tparam PolygonRange a model of `BackInsertionSequence` whose value type is a model of
  *                      `BackInsertionSequence` with value type `std::size_t`
  *
  * \param filename the name of the file
@@ -69,5 +80,9 @@ read_polygon_soup(const std::string& filename,
 
 } // namespace Quad_meshing
 } // namespace CGAL
+
+#ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
+#include <CGAL/Quad_meshing/IO/internal/read_polygon_soup_impl.h>
+#endif
 
 #endif // CGAL_QUAD_MESHING_IO_READ_POLYGON_SOUP_H

@@ -27,13 +27,15 @@ namespace Quad_meshing {
  * \brief reads a triangle mesh from a file, checks it and repairs what can be repaired without
  * changing the surface as a set of points.
  *
- * The format is told by the extension: OFF, OBJ, PLY or STL; \ref Quad_meshing_IO_formats says which variants. The function
- * never throws and never prints on account of the file; if it cannot give a mesh it says why, and `g` stays as it was.
+ * The format is told by the extension: OFF, OBJ, PLY or STL; \ref Quad_meshing_IO_formats says which variants. The
+ * function never throws and never prints on account of the file; if it cannot give a mesh it says why, and `g` stays as
+ * it was.
  *
  * Polygons are triangulated. `Mesh_repairs` lists the repairs in the order in which they are made;
- * \ref Quad_meshing_IO_repairs describes them and says how much of each is done. What was done is counted and said in the
- * result, and `Mesh_reading_result::vertices` and `Mesh_reading_result::faces` relate the elements of the mesh to those of
- * the file. If the file holds a proper triangle mesh, vertices and faces of `g` are numbered in the order of the file.
+ * \ref Quad_meshing_IO_repairs describes them and says how much of each is done. What was done is counted and said in
+ * the result, and `Mesh_reading_result::vertices` and `Mesh_reading_result::faces` relate the elements of the mesh to
+ * those of the file. If the file holds a proper triangle mesh, vertices and faces of `g` are numbered in the order of
+ * the file.
  *
  * A surface with one side only is refused: cutting it open would be the user's choice.
  *
@@ -49,9 +51,8 @@ namespace Quad_meshing {
  *     \cgalParamDescription{the repairs that may be made}
  *     \cgalParamType{`Mesh_repairs`, or `bool`: all of them or none}
  *     \cgalParamDefault{`true`}
- *     \cgalParamExtra{With `false` a file is read as it is, with vertices that no face names and triangles of zero area, or
- *                     refused (`Mesh_reading_status::NEEDS_REPAIR`, `Mesh_reading_status::NOT_ORIENTABLE`).}
- *   \cgalParamNEnd
+ *     \cgalParamExtra{With `false` a file is read as it is, with vertices that no face names and triangles of zero
+ * area, or refused (`Mesh_reading_status::NEEDS_REPAIR`, `Mesh_reading_status::NOT_ORIENTABLE`).} \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `g`}
  *     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<FaceGraph>::%vertex_descriptor`
@@ -80,7 +81,8 @@ read_triangle_mesh(const std::string& filename,
     return result;
 
   clear(g);
-  VertexPointMap vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, g));
+  VertexPointMap vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, g));
   internal::build_mesh(surface, g, vpm);
   return result;
 }

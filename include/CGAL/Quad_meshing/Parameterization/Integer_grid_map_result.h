@@ -80,8 +80,8 @@ struct Integer_grid_map_result
   int broken_separations = 0;
   /// Faces that are folded or have no area, by their index in the face index map, ascending.
   std::vector<std::size_t> folded_faces;
-  /// Those that were folded already in the map without integer conditions: if there are some, the field and the constrained edges
-  /// leave no room there, whatever the integers.
+  /// Those that were folded already in the map without integer conditions: if there are some, the field and the
+  /// constrained edges leave no room there, whatever the integers.
   std::vector<std::size_t> folded_before_rounding;
   /// The wall-clock time.
   double seconds = 0;

@@ -43,19 +43,20 @@ namespace Quad_meshing {
 \brief computes an integer-grid map that follows a cross field.
 
 The mesh is cut to disks through all singular vertices, the field is combed over them, and the map is sought whose
-gradients are nearest to the combed directions, divided by the target edge length [Bom12, 8.4]. Singular vertices have to
-lie on grid points, constrained edges and border edges on grid lines, and the transitions across cuts have to be
+gradients are nearest to the combed directions, divided by the target edge length [Bom12, 8.4]. Singular vertices have
+to lie on grid points, constrained edges and border edges on grid lines, and the transitions across cuts have to be
 grid automorphisms. All these linear conditions are eliminated in integer arithmetic before anything is optimized. Then
 
 - the map without integer conditions is computed and fold-overs are removed from it;
-- the integers are rounded with the given method; grid points and lines that meet in the rounded map, but not in the one before,
-  are kept apart by further conditions, and the rounding is repeated;
+- the integers are rounded with the given method; grid points and lines that meet in the rounded map, but not in the one
+  before, are kept apart by further conditions, and the rounding is repeated;
 - fold-overs that the integers leave are removed by minimizing the regularized distortion of
   Garanzha et al., "Foldover-free maps in 50 lines of code" (2021), where they are;
-- real variables are rounded to multiples of a power of two, so that every condition holds exactly for the numbers written.
+- real variables are rounded to multiples of a power of two, so that every condition holds exactly for the numbers
+written.
 
-The result is `VALID` if no triangle is folded, by exact predicates; `is_integer_grid_map()` then says yes, too. That is no
-guarantee to find such a map: if integers leave no room for one, the result is `FOLDED` and names the faces.
+The result is `VALID` if no triangle is folded, by exact predicates; `is_integer_grid_map()` then says yes, too. That is
+no guarantee to find such a map: if integers leave no room for one, the result is `FOLDED` and names the faces.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam FaceAngleMap a model of `ReadablePropertyMap` with the faces as keys and `double` as value type
@@ -67,9 +68,10 @@ guarantee to find such a map: if integers leave no room for one, the result is `
 
 \param tm the triangle mesh; a triangle with two constrained edges cannot be mapped without being folded, see
        `split_for_alignment()`
-\param angle, period_jump, index the cross field as `smooth_cross_field()` writes it, aligned with the constrained edges; see
-       `check_cross_field()` for one that was edited
-\param uv receives the map: for each halfedge that is no border halfedge, the image of its target in the chart of its face
+\param angle, period_jump, index the cross field as `smooth_cross_field()` writes it, aligned with the constrained
+       edges; see `check_cross_field()` for one that was edited
+\param uv receives the map: for each halfedge that is no border halfedge, the image of its target in the chart of its
+face
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -99,7 +101,8 @@ guarantee to find such a map: if integers leave no room for one, the result is `
     \cgalParamDefault{`Rounding_method::GREEDY`}
   \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
-    \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1] [Bom12, 8.4, "Anisotropic norm"]}
+    \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1] [Bom12, 8.4, "Anisotropic
+    norm"]}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd

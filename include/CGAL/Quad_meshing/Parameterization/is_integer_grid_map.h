@@ -98,8 +98,8 @@ integer grid lines. Nothing is compared with a tolerance.
 A vertex inside the surface is singular if the number of grid directions that leave it is not four.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with the halfedges as keys and a two-dimensional point over `double` as
-        value type
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with the halfedges as keys and a two-dimensional point over
+        `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh

@@ -29,9 +29,9 @@ namespace Quad_meshing {
 
 \brief splits edges of a triangle mesh until it can carry a seamless map with aligned features.
 
-Two conditions hold afterwards. No edge is longer than `longest_edge`: a map that is linear on triangles needs several of
-them per quad to bend. And every edge between two feature vertices is a feature edge, every triangle has at most one of
-them: otherwise alignment forces two sides of a triangle onto one grid line and its area to zero.
+Two conditions hold afterwards. No edge is longer than `longest_edge`: a map that is linear on triangles needs several
+of them per quad to bend. And every edge between two feature vertices is a feature edge, every triangle has at most one
+of them: otherwise alignment forces two sides of a triangle onto one grid line and its area to zero.
 
 Only edges are split, at their midpoints, and triangles with three feature edges at their
 centroids, so the surface stays the same point set, and every new face lies in an old one.
@@ -46,7 +46,8 @@ centroids, so the surface stays the same point set, and every new face lies in a
 \param is_feature the feature edges; the halves of a split feature edge become feature edges
 \param border_is_feature whether border edges count as feature edges
 \param origin a value that new faces inherit from the face that they were split from
-\param longest_edge the length above which edges are split, in the unit of the points; 0 or less splits none for its length
+\param longest_edge the length above which edges are split, in the unit of the points; 0 or less splits none for its
+length
 
 \return the number of edges and faces that were split
 */

@@ -46,7 +46,7 @@ struct Grid_map_plan
 */
 struct Grid_map_situation
 {
-  Cross_field_method requested_method = Cross_field_method::REPRESENTATION;
+  Cross_field_method requested_method = Cross_field_method::POLISHED;
   unsigned int random_seed = 0;
   /// Whether there are feature edges that may be released: detected ones, not those of the user.
   bool has_releasable_features = false;
@@ -61,7 +61,7 @@ struct Grid_map_situation
   bool is_simple = true;                   ///< whether its quads form a mesh, if no triangle is folded
   std::size_t quads = 0;                   ///< of its mesh, if no triangle is folded
   double relative_length = 1;              ///< of its plan
-  Cross_field_method method = Cross_field_method::REPRESENTATION; ///< of its field
+  Cross_field_method method = Cross_field_method::POLISHED; ///< of its field
   /// @}
 };
 
@@ -85,7 +85,7 @@ struct Grid_map_plan_rule
 
 - "as requested": the field and the length that were asked for.
 - "other length": the same field for another length, drawn by the random seed, where the integers are to blame for folded triangles.
-- "other field": the field of `POLISHED`, whose singularities lie elsewhere, if `REPRESENTATION` was asked for.
+- "other field": a field whose singularities lie elsewhere: of `REPRESENTATION` if `POLISHED` was asked for, else of `POLISHED`.
 - "release within 2", "release within 4", "release within 8": without the detected feature edges that are this near to folded triangles.
 - "finer", "still finer": where the map has no folded triangle, but its grid is too coarse for a mesh.
 - "nearer number", "still nearer number": another length where the number of quads is far from the one asked for.

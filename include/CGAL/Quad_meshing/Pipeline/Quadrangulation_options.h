@@ -30,9 +30,8 @@ struct Quadrangulation_options
   double target_number_of_quads = 4000; ///< counts only where `target_edge_length` is 0
   double sharpness_angle = 40;          ///< in degrees, for the detection of feature edges
   bool align_boundary = true;           ///< whether borders become chains of quad edges
-  /// How the singularities of the field are found. The smoothest fields have the fewest, but their maps are more
-  /// distorted.
-  Cross_field_method cross_field_method = Cross_field_method::REPRESENTATION;
+  /// How the singularities of the field are found.
+  Cross_field_method cross_field_method = Cross_field_method::POLISHED;
   /// How much the quads follow the directions in which the surface bends least (`curvature_directions()`), from 0 to 1.
   double curvature_alignment = 1;
   Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen

@@ -20,7 +20,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // The front of a search for shortest paths by Dijkstra's algorithm, among things numbered from 0. Of things at the same
-// distance the one with the smaller number comes first, so that paths do not depend on the order in which things are reached.
+// distance the one with the smaller number comes first, so that paths do not depend on the order in which things are
+// reached.
 //
 //   front.reach(start, 0);
 //   for(double d; front.pop(i, d);)

@@ -94,7 +94,8 @@ inline bool is_finite(const Indexed_triangle_mesh::Point_3& p)
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
-// The first vertex around which the faces form more than one fan, -1 if there is none: where two border loops touch, for instance.
+// The first vertex around which the faces form more than one fan, -1 if there is none: where two border loops touch,
+// for instance.
 inline int find_non_manifold_vertex(const Indexed_triangle_mesh& m)
 {
   std::vector<int> corners(m.number_of_vertices(), 0);
@@ -115,8 +116,8 @@ inline std::string non_manifold_message(const Indexed_triangle_mesh& m)
   return "The faces around vertex " + std::to_string(m.non_manifold_vertex) + " form more than one fan.";
 }
 
-// Numbers a vertex for each fan of faces, so that all vertices are manifold: one fan keeps the vertex, the others get new ones,
-// behind all others.
+// Numbers a vertex for each fan of faces, so that all vertices are manifold: one fan keeps the vertex, the others get
+// new ones, behind all others.
 inline void split_non_manifold_vertices(Indexed_triangle_mesh& m)
 {
   if(m.non_manifold_vertex == -1)

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The positive function chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2 that takes the place of a determinant in the denominator of a
-// distortion: finite on folded elements, and the closer to the barrier the smaller epsilon is (Garanzha et al., "Foldover-free
-// maps in 50 lines of code", 2021). With epsilon = 0 it is the determinant itself.
+// The positive function chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2 that takes the place of a determinant in the
+// denominator of a distortion: finite on folded elements, and the closer to the barrier the smaller epsilon is
+// (Garanzha et al., "Foldover-free maps in 50 lines of code", 2021). With epsilon = 0 it is the determinant itself.
 struct Regularized_determinant
 {
   double epsilon = 0;

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Reports the progress of a stage whose parts take a number of steps that is not known beforehand, and asks the visitor after
-// each step whether to go on. Once it said no, no more is asked and reported.
+// Reports the progress of a stage whose parts take a number of steps that is not known beforehand, and asks the visitor
+// after each step whether to go on. Once it said no, no more is asked and reported.
 class Stage_progress
 {
 public:

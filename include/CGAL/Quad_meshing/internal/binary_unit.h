@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The power of two such that its multiples up to `largest` in absolute value have so many significant bits. Sums of such
-// multiples are exact in doubles as long as they need 53 bits at most.
+// The power of two such that its multiples up to `largest` in absolute value have so many significant bits. Sums of
+// such multiples are exact in doubles as long as they need 53 bits at most.
 inline double binary_unit(double largest, int significant_bits)
 {
   return std::ldexp(1., std::ilogb(largest) + 1 - significant_bits);

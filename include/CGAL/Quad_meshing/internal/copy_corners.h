@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The images of all corners of a map that gives at a halfedge the image of its target in the chart of its face: corner 3f+k is
-// the source of halfedge 3f+k of an Indexed_triangle_mesh. `FaceIndexMap` is the one that the flat mesh was made with.
+// The images of all corners of a map that gives at a halfedge the image of its target in the chart of its face: corner
+// 3f+k is the source of halfedge 3f+k of an Indexed_triangle_mesh. `FaceIndexMap` is the one that the flat mesh was
+// made with.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceIndexMap>
 std::vector<std::array<double, 2> > copy_corners(const TriangleMesh& tm, HalfedgeUVMap uv, FaceIndexMap fim)
 {

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// An index map whose values are consecutive from 0 even if those of the map that it is made of are not: a `Surface_mesh`
-// with removed elements that were not collected yet has gaps.
+// An index map whose values are consecutive from 0 even if those of the map that it is made of are not: a
+// `Surface_mesh` with removed elements that were not collected yet has gaps.
 template <typename Element, typename IndexMap>
 class Element_numbers
 {
@@ -82,8 +82,8 @@ auto face_numbers(const TriangleMesh& tm, const NamedParameters& np)
     faces(tm), get_initialized_face_index_map(tm, np));
 }
 
-// Calls f(e, i) for the edges that have a face, numbered from 0 in the order in which the graph enumerates them. This is how
-// `Indexed_triangle_mesh` numbers edges.
+// Calls f(e, i) for the edges that have a face, numbered from 0 in the order in which the graph enumerates them. This
+// is how `Indexed_triangle_mesh` numbers edges.
 template <typename FaceGraph, typename Function>
 void for_each_edge_of_faces(const FaceGraph& g, Function f)
 {

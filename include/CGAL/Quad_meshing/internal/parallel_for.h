@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Calls work(i) for all i below n, from several threads. Calls for different i must not touch the same data; then the outcome
-// does not depend on the number of threads. `work` must not throw.
+// Calls work(i) for all i below n, from several threads. Calls for different i must not touch the same data; then the
+// outcome does not depend on the number of threads. `work` must not throw.
 template <typename Work>
 void parallel_for(std::size_t n, unsigned int number_of_threads, const Work& work)
 {

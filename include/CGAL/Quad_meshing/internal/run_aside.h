@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Runs work(*data) that knows no visitor, such as the factorization of a matrix, and keeps the visitor informed meanwhile: from
-// `size` on, which is measured in rows, the work has a thread of its own. Returns false if the visitor stops it. Then the thread is
-// left to end by itself, as no library for sparse matrices can be interrupted: the work may touch nothing but `data`, and the caller
-// does not touch that any more.
+// Runs work(*data) that knows no visitor, such as the factorization of a matrix, and keeps the visitor informed
+// meanwhile: from `size` on, which is measured in rows, the work has a thread of its own. Returns false if the visitor
+// stops it. Then the thread is left to end by itself, as no library for sparse matrices can be interrupted: the work
+// may touch nothing but `data`, and the caller does not touch that any more.
 template <typename Data, typename Work>
 bool run_aside(int size, Stage_progress& progress, const std::shared_ptr<Data>& data, const Work& work)
 {

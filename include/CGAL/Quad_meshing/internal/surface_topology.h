@@ -39,7 +39,8 @@ struct Component_topology
   }
 };
 
-// The halfedges of an oriented surface as `surface_topology()` looks at them. Those without a face are border halfedges.
+// The halfedges of an oriented surface as `surface_topology()` looks at them. Those without a face are border
+// halfedges.
 struct Halfedge_arrays
 {
   std::vector<int> opposite;

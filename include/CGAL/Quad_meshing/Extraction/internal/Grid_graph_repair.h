@@ -26,11 +26,12 @@ namespace internal {
 //
 // A fold-over lets a grid line run back, so that two grid lines may cross three times instead of
 // once, with orientations +, -, +. Two consecutive crossings bound a 2-gon, and the neighboring faces have more than
-// four sides [Bom12, Fig. 6.1]. To pull the lines apart over the 2-gon removes both crossings and leaves the quads there should be.
+// four sides [Bom12, Fig. 6.1]. To pull the lines apart over the 2-gon removes both crossings and leaves the quads
+// there should be.
 //
-// Where several singular vertices have the same image, there is no such 2-gon, but the copies of that grid point are joined by
-// edges of length 0. If as many rays leave the whole cluster as the map covers quarters there, counted with orientation, it
-// stands for one vertex and is contracted.
+// Where several singular vertices have the same image, there is no such 2-gon, but the copies of that grid point are
+// joined by edges of length 0. If as many rays leave the whole cluster as the map covers quarters there, counted with
+// orientation, it stands for one vertex and is contracted.
 class Grid_graph_repair
 {
 public:

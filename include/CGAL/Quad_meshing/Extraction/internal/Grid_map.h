@@ -102,13 +102,13 @@ inline bool is_grid_aligned(const Point& from, const Point& to)
 }
 
 // Calls `f(d, s)` for each grid direction d in the sector between the vectors `p -> a`, its right side, and
-// `p -> b`, its left side, in the order in which they follow each other counterclockwise on the surface; s is the sign of
-// the sector.
+// `p -> b`, its left side, in the order in which they follow each other counterclockwise on the surface; s is the sign
+// of the sector.
 //
-// The sector is half-open: of its two sides the one that comes first counterclockwise in the *chart* counts. In positive
-// sectors this is the right side; a negative sector runs clockwise in its chart, and there it is the left side. So directions
-// that a fan runs over forth and back cancel exactly. With `closed` both sides count: for the last sector
-// of a border vertex, or the first one if negative.
+// The sector is half-open: of its two sides the one that comes first counterclockwise in the *chart* counts. In
+// positive sectors this is the right side; a negative sector runs clockwise in its chart, and there it is the left
+// side. So directions that a fan runs over forth and back cancel exactly. With `closed` both sides count: for the last
+// sector of a border vertex, or the first one if negative.
 template <typename Point, typename Function>
 inline void for_each_direction_in_sector(const Point& p, const Point& a, const Point& b, int sign, bool closed,
                                          const Function& f)
@@ -144,8 +144,8 @@ inline void for_each_direction_in_sector(const Grid_map& map, int h, const Funct
   for_each_direction_in_sector(map.uv[h], map.uv[Mesh::next(h)], map.uv[Mesh::prev(h)], sign, closed, f);
 }
 
-// The number of inner vertices around which the directions do not add up to one turn and which are no grid points. Only where all
-// faces around are positive do the directions tell the angle.
+// The number of inner vertices around which the directions do not add up to one turn and which are no grid points. Only
+// where all faces around are positive do the directions tell the angle.
 inline int number_of_singular_vertices_off_grid(const Grid_map& map)
 {
   int n = 0;

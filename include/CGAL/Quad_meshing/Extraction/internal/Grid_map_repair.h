@@ -24,10 +24,10 @@ namespace internal {
 
 // Makes a map fulfill its transitions exactly, and undoes fold-overs by moving images of vertices.
 //
-// A vertex is handled in the chart of its first sector: `Fan` takes its other corners there. Whatever point is chosen for
-// the vertex in that chart, its other corners follow from it through the transitions, so that these hold exactly (as
-// long as no sum rounds, for which coordinates are multiples of `m_quantum`). Only turning once around the vertex must
-// lead back to the point: that fixes it at singular vertices (Ebke et al. 2013, Section 4).
+// A vertex is handled in the chart of its first sector: `Fan` takes its other corners there. Whatever point is chosen
+// for the vertex in that chart, its other corners follow from it through the transitions, so that these hold exactly
+// (as long as no sum rounds, for which coordinates are multiples of `m_quantum`). Only turning once around the vertex
+// must lead back to the point: that fixes it at singular vertices (Ebke et al. 2013, Section 4).
 class Grid_map_repair
 {
 public:
@@ -89,8 +89,8 @@ public:
       }
   }
 
-  // Where this is not enough: spreads the regular inner vertices around what remains evenly, in ever larger patches, and tries again.
-  // Keeps what makes fewer triangles bad.
+  // Where this is not enough: spreads the regular inner vertices around what remains evenly, in ever larger patches,
+  // and tries again. Keeps what makes fewer triangles bad.
   void relax_fold_overs(int sweeps)
   {
     for(int rings = 1; rings <= 4; ++rings)
@@ -126,8 +126,9 @@ public:
     }
   }
 
-  // Moves regular inner vertices of triangles that are not positive by up to 2^-10. A fold-over in general position leaves crossings
-  // of grid lines that cancel; along a fold that runs on a grid line, or in a triangle without area, there is nothing to see.
+  // Moves regular inner vertices of triangles that are not positive by up to 2^-10. A fold-over in general position
+  // leaves crossings of grid lines that cancel; along a fold that runs on a grid line, or in a triangle without area,
+  // there is nothing to see.
   void perturb_fold_overs()
   {
     std::vector<char> done(m_mesh.number_of_vertices(), false);
@@ -260,9 +261,10 @@ private:
     return true;
   }
 
-  // Whether the vertex is a regular inner one, which may be moved. Leaves it in `m_fan`. To turn around a vertex of valence 8 leads back to
-  // the start, too; such a vertex is recognized, if fold-overs beside it do not hide it, by being a grid point around which the
-  // directions add up to more than one turn. (Less than one turn is what a vertex moved out of its link has.)
+  // Whether the vertex is a regular inner one, which may be moved. Leaves it in `m_fan`. To turn around a vertex of
+  // valence 8 leads back to the start, too; such a vertex is recognized, if fold-overs beside it do not hide it, by
+  // being a grid point around which the directions add up to more than one turn. (Less than one turn is what a vertex
+  // moved out of its link has.)
   bool is_free(int v)
   {
     Grid_automorphism g;
@@ -280,10 +282,10 @@ private:
     return quarters <= 4;
   }
 
-  // The rotation across an edge whose image is a point cannot be seen there: every rotation about the point describes the
-  // same map. It only decides which end of the edge is how singular. In each tree of such edges all vertices but the root are
-  // made regular; the root gets what remains. So singular vertices that fell on one point become one, and the others
-  // can be moved apart.
+  // The rotation across an edge whose image is a point cannot be seen there: every rotation about the point describes
+  // the same map. It only decides which end of the edge is how singular. In each tree of such edges all vertices but
+  // the root are made regular; the root gets what remains. So singular vertices that fell on one point become one, and
+  // the others can be moved apart.
   void choose_rotations_of_points(const std::vector<int>& inexact)
   {
     std::vector<std::vector<int> > leaving(m_mesh.number_of_vertices());    // edges whose image is a point

@@ -28,8 +28,8 @@ namespace internal {
 //
 // A ray belongs to one sector of its node. `ray_halfedge` names that sector: the halfedge that leaves
 // the vertex, or the halfedge of the edge in the face the ray enters, or the first halfedge of the
-// face; `ray_direction` is relative to the chart of the face of that halfedge. A ray that runs along an edge belongs to the
-// sector on its left, at a border with no sector there to the one on its right. The rays of a node
+// face; `ray_direction` is relative to the chart of the face of that halfedge. A ray that runs along an edge belongs to
+// the sector on its left, at a border with no sector there to the one on its right. The rays of a node
 // are consecutive, in counterclockwise order on the surface.
 //
 // Where faces are folded over, the directions around a node run forth and back. Rays that undo each other are
@@ -227,8 +227,8 @@ private:
 
       for(double y = std::floor(y0) + 1; y < y1 && steps.go_further(); ++y)
       {
-        // The interval of the row in floating point, one point wider than that on either side; both ends are then moved inward by
-        // exact tests. What lies between two points inside is inside.
+        // The interval of the row in floating point, one point wider than that on either side; both ends are then moved
+        // inward by exact tests. What lies between two points inside is inside.
         double lo = HUGE_VAL, hi = -HUGE_VAL;
         for(int k = 0; k < 3; ++k)
         {

@@ -57,7 +57,8 @@ public:
     }
   }
 
-  // The ray at which the grid line arrives that crosses halfedge h between the grid point `behind` and the next one in direction d.
+  // The ray at which the grid line arrives that crosses halfedge h between the grid point `behind` and the next one in
+  // direction d.
   int from_edge_point(int h, const Point_2& behind, int d)
   {
     m_goal = 1;
@@ -75,8 +76,8 @@ public:
   // ended at another copy of the grid point where it started; this gives 0.
   int length() const { return m_goal; }
 
-  // Whether the last line had the border of the surface on its left or right side somewhere: it ran along a border edge, or
-  // passed a border vertex.
+  // Whether the last line had the border of the surface on its left or right side somewhere: it ran along a border
+  // edge, or passed a border vertex.
   bool is_open_on_left() const { return m_is_open[LEFT]; }
   bool is_open_on_right() const { return m_is_open[RIGHT]; }
 
@@ -312,8 +313,8 @@ private:
     finish(r == -1 ? static_cast<int>(FAILED) : r);
   }
 
-  // The line arrives at a vertex that is no node, and looks back in one of the given ways. All rays of its two directions
-  // there are paired as at a folded node; the two left over belong together.
+  // The line arrives at a vertex that is no node, and looks back in one of the given ways. All rays of its two
+  // directions there are paired as at a folded node; the two left over belong together.
   void pass_through_vertex(const Way_back& here, const Way_back& there)
   {
     const int h = here.h;
@@ -356,7 +357,8 @@ private:
         return finish(FAILED);
       partner = m_live[0] == a ? m_live[1] : m_live[0];
     }
-    // The fan runs counterclockwise: from the way in to the way out on the right of the line, or the other way on its left.
+    // The fan runs counterclockwise: from the way in to the way out on the right of the line, or the other way on its
+    // left.
     if(on_border)
       m_is_open[a < partner ? LEFT : RIGHT] = true;
 

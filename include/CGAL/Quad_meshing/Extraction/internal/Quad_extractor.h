@@ -36,8 +36,8 @@ namespace internal {
 // Faces of more sides are holes rather than faces.
 const int largest_degree_kept = 16;
 
-// The stages of the extraction (Ebke, Bommes, Campen, Kobbelt 2013): make the map consistent, find the grid points, trace
-// the grid lines between them, walk around the faces, repair what fold-overs left.
+// The stages of the extraction (Ebke, Bommes, Campen, Kobbelt 2013): make the map consistent, find the grid points,
+// trace the grid lines between them, walk around the faces, repair what fold-overs left.
 class Quad_extractor
 {
 public:

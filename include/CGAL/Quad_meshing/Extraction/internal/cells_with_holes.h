@@ -22,8 +22,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // Finds the grid cells with a whole border loop inside, which the cycles of the graph do not show: the cell looks
-// like any other. Either the loop touches the boundary of the cell somewhere, which the tracing of that edge has noticed, or no
-// grid line meets it at all.
+// like any other. Either the loop touches the boundary of the cell somewhere, which the tracing of that edge has
+// noticed, or no grid line meets it at all.
 class Cells_with_holes
 {
 public:
@@ -116,8 +116,8 @@ private:
     return cell;
   }
 
-  // The cell that contains the source of h, found where h leaves it; -1 if h leaves it at a corner, if its end lies just on the
-  // grid line, or if the cell is open to the border.
+  // The cell that contains the source of h, found where h leaves it; -1 if h leaves it at a corner, if its end lies
+  // just on the grid line, or if the cell is open to the border.
   int cell_left_by(int h)
   {
     const Point_2& p = m_map.uv[h];

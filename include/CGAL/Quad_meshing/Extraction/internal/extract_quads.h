@@ -34,8 +34,8 @@ struct Extracted_quads
 // Triangles that are not positive are visited so often to unfold them; chains of them need several visits.
 const int default_unfolding_sweeps = 20;
 
-// Extracts the quad mesh of a map and fills in the result. `uv` per halfedge: the image of its source in the chart of its face.
-// The vertices of the mesh must be manifold. Returns whether there is a mesh.
+// Extracts the quad mesh of a map and fills in the result. `uv` per halfedge: the image of its source in the chart of
+// its face. The vertices of the mesh must be manifold. Returns whether there is a mesh.
 CGAL_QUAD_MESHING_INLINE bool
 extract_quads(const Indexed_triangle_mesh& mesh, const std::vector<std::array<double, 2> >& uv, Any_visitor& visitor,
               Extracted_quads& quads, Quad_extraction_result& result, int unfolding_sweeps = default_unfolding_sweeps);

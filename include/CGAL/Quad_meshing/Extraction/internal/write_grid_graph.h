@@ -66,8 +66,8 @@ inline std::vector<int> make_vertices(const Grid_graph& g, std::vector<int>& ver
   return node_of_vertex;
 }
 
-// Adds the faces of the graph to a mesh, with the same orientation. `new_vertex(i)` adds vertex i and returns its descriptor.
-// Works on the halfedges themselves, so that no connectivity is excluded: two edges may join
+// Adds the faces of the graph to a mesh, with the same orientation. `new_vertex(i)` adds vertex i and returns its
+// descriptor. Works on the halfedges themselves, so that no connectivity is excluded: two edges may join
 // the same vertices, and a face may meet itself.
 template <typename QuadMesh, typename NewVertex>
 void write_grid_graph(const Grid_graph& g, const std::vector<int>& vertex_of_ray, std::size_t number_of_vertices,

@@ -103,8 +103,8 @@ public:
   bool is_valid() const { return m_factor != nullptr; }
   int number_of_unknowns() const { return static_cast<int>(m_work.size()); }
 
-  // Sets the angles of all faces to the best ones for the period jumps of the field. Of the directions that are given softly, each
-  // face keeps the one that it has been nearest to.
+  // Sets the angles of all faces to the best ones for the period jumps of the field. Of the directions that are given
+  // softly, each face keeps the one that it has been nearest to.
   void solve_angles(Cross_field& field) const
   {
     const int n = number_of_unknowns();

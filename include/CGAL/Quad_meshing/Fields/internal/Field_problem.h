@@ -32,8 +32,8 @@ struct Cross_field
 //
 // The residual of an inner edge e with the faces i (of `halfedge_of_edge[e]`) and j (across) is
 //   r_e = angle_i + kappa_e + pi/2 jump_e - angle_j,
-// and the energy of a field is the sum of the squared residuals of all inner edges, and of the weighted squared deviations
-// from soft angles.
+// and the energy of a field is the sum of the squared residuals of all inner edges, and of the weighted squared
+// deviations from soft angles.
 struct Field_problem
 {
   const Indexed_triangle_mesh& mesh;

@@ -123,8 +123,8 @@ private:
     }
     else if(polished)
     {
-      // Singularities of high index are kept from each other first, even if smoothness alone is asked for, or single changes could
-      // hardly part them.
+      // Singularities of high index are kept from each other first, even if smoothness alone is asked for, or single
+      // changes could hardly part them.
       if(is_for_quads || quads.has_closed_sector_with_less_than(2))
         m_polish(field, quads);
       if(!is_for_quads)
@@ -152,8 +152,8 @@ private:
     return result.empty_sectors == 0 ? Cross_field_status::SUCCESS : Cross_field_status::EMPTY_SECTORS;
   }
 
-  // More make the start smoother, but take longer, and the search ends no lower. On the smallest meshes the start would take longer
-  // than the annealing.
+  // More make the start smoother, but take longer, and the search ends no lower. On the smallest meshes the start would
+  // take longer than the annealing.
   int number_of_clusters(bool is_annealed) const
   {
     const int most = 6000, few_faces = 500;
@@ -161,8 +161,8 @@ private:
     return is_annealed && faces < few_faces ? faces / 4 + 1 : most;
   }
 
-  // How many pairs of singularities the local search may annihilate for a trial: so many that on small meshes they take about as
-  // long as all the rest, and enough for those of large ones.
+  // How many pairs of singularities the local search may annihilate for a trial: so many that on small meshes they take
+  // about as long as all the rest, and enough for those of large ones.
   int number_of_trials() const
   {
     return (std::min)(100, m_problem.mesh.number_of_faces() / 20);

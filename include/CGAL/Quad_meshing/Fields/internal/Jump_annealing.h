@@ -29,9 +29,10 @@ namespace internal {
 
 // Simulated annealing of the period jumps of small meshes, which ends in one of the lowest minima.
 //
-// From the potentials of the sectors the gain of every change of a jump is known after a few operations, and a change that is
-// made costs two additions of vectors. So the temperature may fall again and again from where singularities only just move
-// freely; what ends lower than everything before is where the next fall starts. No sector is ever emptied.
+// From the potentials of the sectors the gain of every change of a jump is known after a few operations, and a change
+// that is made costs two additions of vectors. So the temperature may fall again and again from where singularities
+// only just move freely; what ends lower than everything before is where the next fall starts. No sector is ever
+// emptied.
 class Jump_annealing
 {
 public:
@@ -46,8 +47,8 @@ public:
   // if something could not be factorized; the field is then as before.
   bool operator()(Cross_field& field, Sector_quads& quads, Stage_progress& progress)
   {
-    // Later ones hardly ever gain. On small meshes they take about as long as all the rest; on larger ones, where the time of each
-    // grows with the square of the size, fewer are worth it.
+    // Later ones hardly ever gain. On small meshes they take about as long as all the rest; on larger ones, where the
+    // time of each grows with the square of the size, fewer are worth it.
     const int fewest = 6, rows_per_fall = 16, most_rows_times_falls = 16000;
     const int rows = m_potentials.number_of_rows();
     const int falls = (std::max)(fewest, (std::min)(rows / rows_per_fall, most_rows_times_falls / (rows + 1)));
@@ -133,7 +134,8 @@ private:
     return sum;
   }
 
-  // The energy decreases by this times the distance of a residual from the limit, if the jump takes one step to bring the residual down.
+  // The energy decreases by this times the distance of a residual from the limit, if the jump takes one step to bring
+  // the residual down.
   static constexpr float gain_of_excess = static_cast<float>(2 * quarter_turn);
 
   // Metropolis sweeps over all movable edges at falling temperatures.

@@ -119,8 +119,8 @@ public:
       m_candidates[i].residual = residuals[i];
   }
 
-  // Brings the residuals up to date for changes of the jumps along a path of edges, none twice, and returns how the energy
-  // changes. All angles must be the best ones for the field.
+  // Brings the residuals up to date for changes of the jumps along a path of edges, none twice, and returns how the
+  // energy changes. All angles must be the best ones for the field.
   double change_path(const std::vector<std::pair<int, int> >& path, const Cross_field& field)
   {
     double change = 0;

@@ -42,8 +42,8 @@ public:
     : m_problem(problem), m_laplacian(laplacian), m_progress(progress), m_candidates(problem, laplacian)
   {}
 
-  // Moves downhill until no move gains. The angles of the field are the best ones for its jumps, and so they are again at
-  // the end. Returns the energy plus the cost of the sectors. If the visitor stops it, the field is of no use.
+  // Moves downhill until no move gains. The angles of the field are the best ones for its jumps, and so they are again
+  // at the end. Returns the energy plus the cost of the sectors. If the visitor stops it, the field is of no use.
   double operator()(Cross_field& field, Sector_quads& quads)
   {
     begin(field, quads);
@@ -53,8 +53,9 @@ public:
     return m_total;
   }
 
-  // Leaves the local minimum: annihilates a pair of opposite singularities, goes downhill from there, and takes that back if it
-  // does not end lower; first all with their nearest partners, then with the second nearest, and so on, at most `trials` times.
+  // Leaves the local minimum: annihilates a pair of opposite singularities, goes downhill from there, and takes that
+  // back if it does not end lower; first all with their nearest partners, then with the second nearest, and so on, at
+  // most `trials` times.
   double annihilate(Cross_field& field, Sector_quads& quads, int trials)
   {
     const int most_partners = 3;
@@ -113,8 +114,8 @@ private:
     m_saved_quads = m_quads->state();
   }
 
-  // Goes downhill with all angles computed anew, until no move gains, and keeps the result if it is the lowest so far; else the
-  // field becomes again what it was when it was lowest.
+  // Goes downhill with all angles computed anew, until no move gains, and keeps the result if it is the lowest so far;
+  // else the field becomes again what it was when it was lowest.
   void settle(Cross_field& field)
   {
     // The residuals of far candidates are only brought up to date between rounds, so a round may leave
@@ -300,8 +301,8 @@ private:
   // Annihilates the singularities at the ends of a path, and keeps what follows if it ends lower.
   void try_path(const Path& path, Cross_field& field)
   {
-    // A change of a residual that may make a move gain, and an increase of the energy that the search with all angles and candidates
-    // computed anew may still make up for.
+    // A change of a residual that may make a move gain, and an increase of the energy that the search with all angles
+    // and candidates computed anew may still make up for.
     const double noticeable = 0.01, hopeful = 0.3;
 
     const std::vector<double> residuals = m_candidates.residuals();

@@ -29,12 +29,13 @@ namespace internal {
 // and Schroeder 2013.
 //
 // A cross is represented by z = exp(4 i angle), which does not know which of its four directions is
-// the first; the energy, the sum of w |exp(4 i kappa) z_i - z_j|^2 over the edges, is quadratic. Where angles are given, their
-// harmonic extension solves one linear system; a component without any takes the eigenvector of the
+// the first; the energy, the sum of w |exp(4 i kappa) z_i - z_j|^2 over the edges, is quadratic. Where angles are
+// given, their harmonic extension solves one linear system; a component without any takes the eigenvector of the
 // smallest eigenvalue, by inverse iteration.
 //
-// With all weights one, the energy is that of the period jumps [Bom12, 8.2]. With w the length of an edge over the distance of
-// the two centroids from each other across it, it approaches that of the surface, whatever the triangles are like.
+// With all weights one, the energy is that of the period jumps [Bom12, 8.2]. With w the length of an edge over the
+// distance of the two centroids from each other across it, it approaches that of the surface, whatever the triangles
+// are like.
 //
 // The field is a start for a local search, so it need not be exact: it is computed for clusters of
 // faces, in each of which it is parallel along a tree (the Galerkin method), and then smoothed on the faces.
@@ -52,7 +53,8 @@ public:
       set_surface_weights();
   }
 
-  // Sets the angles of all faces. Returns false if a factorization fails. If the visitor stops it, the angles are of no use.
+  // Sets the angles of all faces. Returns false if a factorization fails. If the visitor stops it, the angles are of no
+  // use.
   bool operator()(std::vector<double>& angle)
   {
     make_clusters();

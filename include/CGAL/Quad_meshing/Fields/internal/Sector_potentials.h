@@ -27,15 +27,15 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The projector P of Dual_laplacian, which says what changes of period jumps do to the residuals, as a dense matrix of the
-// sectors: half as many as faces, so that all of it is at hand where the mesh is small.
+// The projector P of Dual_laplacian, which says what changes of period jumps do to the residuals, as a dense matrix of
+// the sectors: half as many as faces, so that all of it is at hand where the mesh is small.
 //
-// Let a potential have one value per sector, and none where a border without alignment leaves the turning free. Its differences across
-// the movable edges, from the sector that gives a quad to the one that takes it, sum up to zero around every free
-// face. So the residuals of best angles consist of such differences and of what is orthogonal to all of them: the harmonic part,
-// of two dimensions for every handle and one for every further piece of the constraints. With d the matrix of differences,
-// G the inverse of the Laplacian d'd, and H an orthonormal basis of the harmonic part,
-//   P = d G d' + H H'.
+// Let a potential have one value per sector, and none where a border without alignment leaves the turning free. Its
+// differences across the movable edges, from the sector that gives a quad to the one that takes it, sum up to zero
+// around every free face. So the residuals of best angles consist of such differences and of what is orthogonal to all
+// of them: the harmonic part, of two dimensions for every handle and one for every further piece of the constraints.
+// With d the matrix of differences, G the inverse of the Laplacian d'd, and H an orthonormal basis of the harmonic
+//   part, P = d G d' + H H'.
 class Sector_potentials
 {
 public:
@@ -123,9 +123,10 @@ public:
   }
 
 private:
-  // A spanning forest of the faces, the given ones taken as one, and one of the sectors that crosses none of its edges. Every edge
-  // that is in neither closes a loop of sectors, and the harmonic parts of these loops are a basis. (A set of
-  // sectors that only edges of the first forest connected with the rest would have a coboundary in it, and that is a cycle.)
+  // A spanning forest of the faces, the given ones taken as one, and one of the sectors that crosses none of its edges.
+  // Every edge that is in neither closes a loop of sectors, and the harmonic parts of these loops are a basis. (A set
+  // of sectors that only edges of the first forest connected with the rest would have a coboundary in it, and that is a
+  // cycle.)
   void grow_forests()
   {
     const int nf = m_problem.mesh.number_of_faces();
@@ -183,8 +184,9 @@ private:
       renumber(e.taker);
     }
 
-    // With M = L scaled to a unit diagonal, and D that diagonal squared, G M = M'^-1 D^-1 is upper triangular with the diagonal of
-    // D^-1, so the columns of G follow from each other, last one first: a few additions of vectors each, as L is sparse.
+    // With M = L scaled to a unit diagonal, and D that diagonal squared, G M = M'^-1 D^-1 is upper triangular with the
+    // diagonal of D^-1, so the columns of G follow from each other, last one first: a few additions of vectors each, as
+    // L is sparse.
     for(int j = m_size - 1; j >= 0; --j)
     {
       const int below = m_size - 1 - j;

@@ -29,8 +29,8 @@ class Sector_quads
 public:
   typedef std::vector<int> State;
 
-  // In units of the energy, `singularity_cost` is, per vertex, what a singularity there costs, and `doublet_cost` what every quad
-  // less than three costs at a vertex without aligned edges.
+  // In units of the energy, `singularity_cost` is, per vertex, what a singularity there costs, and `doublet_cost` what
+  // every quad less than three costs at a vertex without aligned edges.
   Sector_quads(const Field_problem& problem, const Cross_field& field, const std::vector<double>& singularity_cost,
                double doublet_cost)
     : m_problem(&problem)
@@ -102,9 +102,10 @@ public:
     return n;
   }
 
-  // Gives quads to empty sectors and to inner vertices with less than `least_valence`, by changes of jumps along the cheapest paths to
-  // sectors that can spare one. What a path costs is estimated from the residuals alone; a local search that follows
-  // finds better places. Sectors of one face that no jump can reach stay as they are. Returns whether anything changed.
+  // Gives quads to empty sectors and to inner vertices with less than `least_valence`, by changes of jumps along the
+  // cheapest paths to sectors that can spare one. What a path costs is estimated from the residuals alone; a local
+  // search that follows finds better places. Sectors of one face that no jump can reach stay as they are. Returns
+  // whether anything changed.
   bool fill(Cross_field& field, int least_valence, Stage_progress& progress)
   {
     bool has_changed = false;

@@ -46,7 +46,8 @@ public:
   typedef Indexed_triangle_mesh::Point_3 Point_3;
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
-  // Feature edges, if given, have a value per edge: disks end there, as at the border, and what they bend does not count.
+  // Feature edges, if given, have a value per edge: disks end there, as at the border, and what they bend does not
+  // count.
   explicit Shape_operators(const Indexed_triangle_mesh& m, const std::vector<char>& is_feature = std::vector<char>())
     : m_mesh(m)
     , m_is_feature(is_feature.empty() ? std::vector<char>(m.number_of_edges(), 0) : is_feature)

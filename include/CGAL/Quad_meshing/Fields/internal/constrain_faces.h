@@ -37,8 +37,8 @@ struct No_face_direction
 
 inline void constrain_face(Field_problem&, int, No_direction, double) {}
 
-// Gives face f a direction, projected to its plane, unless it has one already: a soft one, unless its weight is infinite. Directions
-// that are orthogonal to the face, and faces without a normal, are skipped.
+// Gives face f a direction, projected to its plane, unless it has one already: a soft one, unless its weight is
+// infinite. Directions that are orthogonal to the face, and faces without a normal, are skipped.
 template <typename OptionalVector_3>
 void constrain_face(Field_problem& problem, int f, const OptionalVector_3& direction, double weight)
 {

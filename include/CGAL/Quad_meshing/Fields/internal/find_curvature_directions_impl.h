@@ -76,11 +76,12 @@ public:
   }
 
 private:
-  // The radii of the disks, in target edge lengths: what is smaller than a quad does not count, what is larger lies elsewhere. An
-  // interval has three radii, a quarter of an edge length together, as in the thesis.
+  // The radii of the disks, in target edge lengths: what is smaller than a quad does not count, what is larger lies
+  // elsewhere. An interval has three radii, a quarter of an edge length together, as in the thesis.
   static constexpr double smallest_radius = 0.75, step = 0.125;
   static constexpr int number_of_radii = 5;
-  // The relative anisotropy from which on a direction counts at all, and from which on fully; the thesis has one limit, 0.8.
+  // The relative anisotropy from which on a direction counts at all, and from which on fully; the thesis has one limit,
+  // 0.8.
   static constexpr double least_anisotropy = 0.5, full_anisotropy = 0.9;
   // The same for the curvature, in units of that of the sphere around the model; the thesis has one limit, 0.1.
   static constexpr double least_curvature = 0.05, full_curvature = 0.2;
@@ -112,8 +113,8 @@ find_curvature_directions(const Indexed_triangle_mesh& m, double target_edge_len
   direction.assign(m.number_of_faces(), Indexed_triangle_mesh::Vector_3(0, 0, 0));
   weight.assign(m.number_of_faces(), 0.);
 
-  // Disks of a quad's size change slowly: where the triangles are much smaller, some of them speak for their neighbors. So many
-  // per quad are enough for the field.
+  // Disks of a quad's size change slowly: where the triangles are much smaller, some of them speak for their neighbors.
+  // So many per quad are enough for the field.
   const double samples_per_quad = 8;
   double quads = 0; // that the next sample speaks for
   Curvature_directions directions(m, target_edge_length, is_feature);

@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The inner edges at which the normals of the two faces differ by at least an angle below 180 degrees. Faces are compared by
-// the signs and squares of products of their area vectors, as `Polygon_mesh_processing::detect_sharp_edges()` does:
-// no square root rounds, and at a face without area every edge is sharp for angles of up to 90 degrees.
+// The inner edges at which the normals of the two faces differ by at least an angle below 180 degrees. Faces are
+// compared by the signs and squares of products of their area vectors, as
+// `Polygon_mesh_processing::detect_sharp_edges()` does: no square root rounds, and at a face without area every edge is
+// sharp for angles of up to 90 degrees.
 inline std::vector<char> find_sharp_edges(const Indexed_triangle_mesh& m, double angle_in_degrees)
 {
   const double cosine = std::cos(angle_in_degrees * CGAL_PI / 180), squared_cosine = cosine * cosine;

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// How many quads fit into every sector: four into a closed one, and into one between aligned edges what its angle says. Not a number
-// where a border without alignment leaves the number free.
+// How many quads fit into every sector: four into a closed one, and into one between aligned edges what its angle says.
+// Not a number where a border without alignment leaves the number free.
 inline std::vector<double> fitting_quads(const Field_problem& problem)
 {
   const Field_sectors& sectors = problem.sectors;
@@ -40,8 +40,8 @@ inline std::vector<double> fitting_quads(const Field_problem& problem)
   return result;
 }
 
-// Two opposite singularities, and the halfedges that lead from the one that lacks quads to the one that has too many, last
-// one first, over vertices without aligned edges.
+// Two opposite singularities, and the halfedges that lead from the one that lacks quads to the one that has too many,
+// last one first, over vertices without aligned edges.
 struct Singularity_pair
 {
   double length;
@@ -52,9 +52,9 @@ struct Singularity_pair
 // An excess from here on is closer to one quad than to none.
 const double one_quad_too_many = 0.75;
 
-// Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than that in
-// space, which is what a map cannot tell apart, on a path not much longer. `front` and `arrived_by`, the halfedge by which a sector
-// was reached, are work space of one entry per sector.
+// Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than
+// that in space, which is what a map cannot tell apart, on a path not much longer. `front` and `arrived_by`, the
+// halfedge by which a sector was reached, are work space of one entry per sector.
 inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads, const std::vector<double>& fitting,
                                 int sector, double reach, Distance_front& front, std::vector<int>& arrived_by,
                                 std::vector<Singularity_pair>& pairs)
@@ -95,10 +95,10 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
   }
 }
 
-// Annihilates the pairs of opposite singularities closer to each other than `reach`, nearest first: a map for quads of twice
-// this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
-// moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a quad more or
-// less than its angle fits.
+// Annihilates the pairs of opposite singularities closer to each other than `reach`, nearest first: a map for quads of
+// twice this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
+// moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a
+// quad more or less than its angle fits.
 inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach, Sector_quads& quads,
                               Cross_field& field, Stage_progress& progress)
 {

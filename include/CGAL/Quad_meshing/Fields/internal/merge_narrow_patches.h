@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The regions that sharp edges divide a surface into, of which those are joined to a neighbor that are too narrow for quads:
-// slivers along a crease, fillets and chamfers of a few percent of a quad.
+// The regions that sharp edges divide a surface into, of which those are joined to a neighbor that are too narrow for
+// quads: slivers along a crease, fillets and chamfers of a few percent of a quad.
 class Patch_merging
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
@@ -33,8 +33,8 @@ public:
     : m_mesh(mesh), m_is_sharp(is_sharp)
   {}
 
-  // Unmarks the sharp edges between a patch narrower than `least_width` and the neighbor that it bends least to, until no patch
-  // with a neighbor is narrow. Returns the number of patches that were joined.
+  // Unmarks the sharp edges between a patch narrower than `least_width` and the neighbor that it bends least to, until
+  // no patch with a neighbor is narrow. Returns the number of patches that were joined.
   std::size_t run(double least_width)
   {
     std::size_t joined = 0;

@@ -33,7 +33,7 @@ namespace internal {
 //  - both sides stay where they divide a solid: then they are two solids that touch;
 //  - none stays in a small fin that stands off a surface which is complete without it.
 //
-// The last three are decided for whole regions of double faces, joined by edges that no other face has.
+// The last three are decided for whole regions of double faces, joined by edges that no single face has.
 class Copied_triangles
 {
   // Fins are rests of modelling operations; larger ones are somebody's flags and leaves.
@@ -51,8 +51,7 @@ class Copied_triangles
     Soup_index low, high;
     std::size_t number_of_doubles;
     std::size_t first_double;
-    std::size_t number_of_singles;
-    std::array<std::pair<Soup_index, bool>, 2> single; // triangle, and whether it runs upwards; the first two
+    std::vector<std::pair<Soup_index, bool> > singles; // other triangles, and whether they run upwards
   };
 
   struct Region
@@ -100,7 +99,10 @@ public:
   bool is_in_fin(std::size_t f) const { return m_is_dropped[f] && stays_for(f) == no_index; }
 
   // Whether a triangle was dropped as the other side of one that stays.
-  bool is_other_side(std::size_t f) const { return m_is_dropped[f] && stays_for(f) != no_index && m_other_side[stays_for(f)] == f; }
+  bool is_other_side(std::size_t f) const
+  {
+    return m_is_dropped[f] && stays_for(f) != no_index && m_other_side[stays_for(f)] == f;
+  }
 
   // The triangle that stays for f, no_index if none does.
   Soup_index stays_for(std::size_t f) const
@@ -201,7 +203,7 @@ private:
     for(const auto& side : sides)
     {
       if(m_edges.empty() || m_edges.back().low != side[0] || m_edges.back().high != side[1])
-        m_edges.push_back({ side[0], side[1], 0, side[2], 0, {} });
+        m_edges.push_back({ side[0], side[1], 0, side[2], {} });
       ++m_edges.back().number_of_doubles;
     }
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
@@ -211,11 +213,8 @@ private:
       for_each_side(f, [&](Soup_index a, Soup_index b)
       {
         Double_edge* const e = is_touched[a] && is_touched[b] ? find_edge(a, b) : nullptr;
-        if(e == nullptr)
-          return;
-        if(e->number_of_singles < 2)
-          e->single[e->number_of_singles] = { static_cast<Soup_index>(f), a < b };
-        ++e->number_of_singles;
+        if(e != nullptr)
+          e->singles.emplace_back(static_cast<Soup_index>(f), a < b);
       });
     }
   }
@@ -227,7 +226,7 @@ private:
       for_each_side(first_copy(m_doubles[d]), [&](Soup_index a, Soup_index b)
       {
         const Double_edge& e = *find_edge(a, b);
-        if(e.number_of_singles == 0 && e.number_of_doubles == 2)
+        if(e.singles.empty())
           regions.join(static_cast<int>(d), static_cast<int>(e.first_double));
       });
     m_regions.resize(m_doubles.size());
@@ -241,10 +240,10 @@ private:
       for_each_side(first_copy(m_doubles[d]), [&](Soup_index a, Soup_index b)
       {
         const Double_edge& e = *find_edge(a, b);
-        r.is_missed = r.is_missed || e.number_of_singles == 1;
-        r.is_attached = r.is_attached || e.number_of_singles > 1;
-        r.is_free = r.is_free || (e.number_of_singles == 0 && e.number_of_doubles == 1);
-        if(e.number_of_singles > 0 || e.number_of_doubles > 2)
+        r.is_missed = r.is_missed || e.singles.size() == 1;
+        r.is_attached = r.is_attached || e.singles.size() > 1;
+        r.is_free = r.is_free || (e.singles.empty() && e.number_of_doubles == 1);
+        if(!e.singles.empty())
           r.divides = r.divides && is_inside(e, first_copy(m_doubles[d]));
       });
     }
@@ -253,15 +252,14 @@ private:
   double area(std::size_t f) const
   {
     const Soup_vector& p = m_triangles.point(f, 0);
-    return 0.5 * soup_length(soup_cross(soup_difference(m_triangles.point(f, 1), p), soup_difference(m_triangles.point(f, 2), p)));
+    return 0.5 * soup_length(soup_cross(soup_difference(m_triangles.point(f, 1), p),
+                                        soup_difference(m_triangles.point(f, 2), p)));
   }
 
-  // Whether a double face lies between the two other faces of an edge, on the side of their material. That is the side
-  // from which one comes to a face that runs upwards, counterclockwise around the edge.
+  // Whether a double face lies in the material between the other faces of an edge, which must bound some.
+  // Counterclockwise around the edge, material ends at a face that runs upwards and begins at one that runs downwards.
   bool is_inside(const Double_edge& e, std::size_t f) const
   {
-    if(e.number_of_singles != 2 || e.number_of_doubles != 1 || e.single[0].second == e.single[1].second)
-      return false;
     const Angles_around_edge angle_of_point(m_triangles.points[e.low], m_triangles.points[e.high]);
     auto angle = [&](std::size_t g)
     {
@@ -270,10 +268,16 @@ private:
           return angle_of_point(m_triangles.point(g, k));
       return 0.;
     };
-    const bool first_is_up = e.single[0].second;
-    const double up = angle(e.single[first_is_up ? 0 : 1].first), down = angle(e.single[first_is_up ? 1 : 0].first);
-    auto turn = [](double from, double to) { return to >= from ? to - from : to - from + 2 * CGAL_PI; };
-    return turn(down, angle(f)) < turn(down, up);
+    std::vector<std::pair<double, bool> > singles;
+    for(const auto& single : e.singles)
+      singles.emplace_back(angle(single.first), single.second);
+    std::sort(singles.begin(), singles.end());
+    for(std::size_t i = 0; i < singles.size(); ++i)
+      if(singles[i].second == singles[(i + 1) % singles.size()].second)
+        return false;
+    // the last one before the double face
+    const auto after = std::upper_bound(singles.begin(), singles.end(), std::make_pair(angle(f), false));
+    return !(after == singles.begin() ? singles.back() : *(after - 1)).second;
   }
 
   void decide(const Double& d, const Region& r)

@@ -63,8 +63,8 @@ public:
     , m_repairs(repairs)
   {}
 
-  // `joined` are pairs of sides that belong together whatever other sides there are; `groups` are the sides between the same
-  // vertices of the file. Returns false if the result says why not.
+  // `joined` are pairs of sides that belong together whatever other sides there are; `groups` are the sides between the
+  // same vertices of the file. Returns false if the result says why not.
   bool operator()(const std::vector<std::array<Soup_index, 2> >& joined, const Side_groups& groups,
                   Mesh_reading_result& result)
   {
@@ -111,7 +111,8 @@ private:
     m_partner[a] = static_cast<Soup_index>(b);
     m_partner[b] = static_cast<Soup_index>(a);
     m_is_oriented = m_is_oriented && runs_upwards(a) != runs_upwards(b);
-    joins_places = joins_places || (m_triangles.source(a) != m_triangles.target(b) && m_triangles.source(a) != m_triangles.source(b)) ||
+    joins_places = joins_places ||
+                   (m_triangles.source(a) != m_triangles.target(b) && m_triangles.source(a) != m_triangles.source(b)) ||
                    (m_triangles.target(a) != m_triangles.source(b) && m_triangles.target(a) != m_triangles.target(b));
   }
 
@@ -140,9 +141,10 @@ private:
 
   bool refuse_one_side(Mesh_reading_result& result) const
   {
-    return refuse(result, Mesh_reading_status::NOT_ORIENTABLE,
-                  "The surface is not orientable: a strip of faces comes back to where it began with its other side up, as "
-                  "in a Moebius strip.");
+    return refuse(
+        result, Mesh_reading_status::NOT_ORIENTABLE,
+        "The surface is not orientable: a strip of faces comes back to where it began with its other side up, as "
+        "in a Moebius strip.");
   }
 
   bool orient_parts_of_file(Mesh_reading_result& result)
@@ -184,8 +186,9 @@ private:
     return true;
   }
 
-  // Whether a triangle is turned: each set of joined triangles follows the majority of those that have only one side in the
-  // file. Sets without such triangles are turned outwards where they are closed, and else stay as their first triangle.
+  // Whether a triangle is turned: each set of joined triangles follows the majority of those that have only one side in
+  // the file. Sets without such triangles are turned outwards where they are closed, and else stay as their first
+  // triangle.
   void choose_orientations()
   {
     const std::size_t nf = m_triangles.size();
@@ -223,8 +226,8 @@ private:
     }
   }
 
-  // The sides of a fan with their angle around the edge, sorted. Of two at one angle the one that runs upwards comes first:
-  // there is nothing between them, so they bound the outside.
+  // The sides of a fan with their angle around the edge, sorted. Of two at one angle the one that runs upwards comes
+  // first: there is nothing between them, so they bound the outside.
   struct Sheet
   {
     double angle;
@@ -273,17 +276,19 @@ private:
       join_sides(a, b);
   }
 
-  // The straightest pair first. Where the file orients its faces consistently, pairs that agree with that come before
-  // those that would turn a part of the surface.
+  // The straightest pair first. Before that, pairs of faces that are both there in one direction, or both in two: a
+  // sheet with two sides that stands off a solid does not open it. Where the file orients its faces consistently, pairs
+  // that agree with that come before those that would turn a part of the surface.
   void pair_other_fans()
   {
     struct Pair
     {
-      bool turns;
+      bool is_mixed, turns;
       double bend;
       Soup_index a, b;
     };
     const bool is_reliable = std::find(m_is_turned.begin(), m_is_turned.end(), char(1)) == m_is_turned.end();
+    auto has_two_sides = [&](const Sheet& sheet) { return m_triangles.other_side_of(sheet.side / 3) != no_index; };
     std::vector<Pair> pairs;
     for(const Fan& fan : m_fans)
     {
@@ -292,12 +297,15 @@ private:
       for(std::size_t i = 0; i < sheets.size(); ++i)
         for(std::size_t j = i + 1; j < sheets.size(); ++j)
           if(m_partner[sheets[i].side] == no_index && m_partner[sheets[j].side] == no_index)
-            pairs.push_back({ is_reliable && sheets[i].upwards == sheets[j].upwards,
-                              std::abs(std::abs(sheets[i].angle - sheets[j].angle) - CGAL_PI),
-                              (std::min)(sheets[i].side, sheets[j].side), (std::max)(sheets[i].side, sheets[j].side) });
+            pairs.push_back({has_two_sides(sheets[i]) != has_two_sides(sheets[j]),
+                             is_reliable && sheets[i].upwards == sheets[j].upwards,
+                             std::abs(std::abs(sheets[i].angle - sheets[j].angle) - CGAL_PI),
+                             (std::min)(sheets[i].side, sheets[j].side), (std::max)(sheets[i].side, sheets[j].side)});
       std::sort(pairs.begin(), pairs.end(),
-                [](const Pair& s, const Pair& t)
-                { return std::tie(s.turns, s.bend, s.a, s.b) < std::tie(t.turns, t.bend, t.a, t.b); });
+                [](const Pair& s, const Pair& t) {
+                  return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) <
+                         std::tie(t.is_mixed, t.turns, t.bend, t.a, t.b);
+                });
       for(const Pair& pair : pairs)
         join_if_orientable(pair.a, pair.b);
     }

@@ -33,9 +33,10 @@ namespace internal {
 //
 //  - Vertices with equal coordinates are at one place.
 //  - So are the ends of a side of a face that is as short as rounding, see Soup_size::vanishing_length().
-//  - Two vertices at the border, that is on sides that no other face shares, are at one place if they are closer than the
-//    share `merging_distance` of the diagonal of the model, and than a tenth of the shortest side of a face at either of
-//    them. So no side that is longer than rounding loses its length, and what has no border is left alone, however
+//  - Two vertices at the border, that is on sides that no other face shares, are at one place if they are closer than
+//  the
+//    share `merging_distance` of the diagonal of the model, and than a tenth of the shortest side of a face at either
+//    of them. So no side that is longer than rounding loses its length, and what has no border is left alone, however
 //    narrow it is. The vertices of one place are never farther apart than that either.
 class Soup_places
 {
@@ -205,7 +206,8 @@ private:
 
     // The closest first; a place that would become too wide is not joined.
     std::sort(pairs.begin(), pairs.end(),
-              [](const Pair& s, const Pair& t) { return std::tie(s.distance, s.a, s.b) < std::tie(t.distance, t.a, t.b); });
+              [](const Pair& s, const Pair& t)
+              { return std::tie(s.distance, s.a, s.b) < std::tie(t.distance, t.a, t.b); });
     std::vector<std::size_t> cluster(vertices.size());
     std::iota(cluster.begin(), cluster.end(), std::size_t(0));
     std::vector<std::vector<std::size_t> > members(vertices.size());

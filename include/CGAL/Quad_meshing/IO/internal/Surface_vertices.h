@@ -24,8 +24,8 @@ namespace internal {
 
 // Gives every class of corners that hang together through joined sides one vertex.
 //
-// A class takes the smallest of its vertices of the file that no class before has taken; if there is none, as at a vertex
-// where several sheets touch, it gets a new one at the same place, behind the others.
+// A class takes the smallest of its vertices of the file that no class before has taken; if there is none, as at a
+// vertex where several sheets touch, it gets a new one at the same place, behind the others.
 class Surface_vertices
 {
   Soup_triangles& m_triangles;
@@ -90,7 +90,8 @@ public:
   // The vertices that new ones, which lie behind all others, were split from.
   const std::vector<Soup_index>& origin() const { return m_origin; }
 
-  // Two edges may have got the same two ends. A mesh has room for one edge there: the others get a vertex in the middle.
+  // Two edges may have got the same two ends. A mesh has room for one edge there: the others get a vertex in the
+  // middle.
   void separate_double_edges()
   {
     std::vector<Soup_index> midpoint(m_triangles.number_of_sides(), no_index);

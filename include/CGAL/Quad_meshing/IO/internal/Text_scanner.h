@@ -107,6 +107,12 @@ public:
 
   void skip_line()
   {
+    if(m_pos != m_end && *m_pos == '\n') // the usual case, after all items of the line
+    {
+      ++m_pos;
+      ++m_line;
+      return;
+    }
     const void* end = m_pos == m_end ? nullptr : std::memchr(m_pos, '\n', static_cast<std::size_t>(m_end - m_pos));
     if(end == nullptr)
       m_pos = m_end;

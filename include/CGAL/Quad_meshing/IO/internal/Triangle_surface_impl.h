@@ -132,7 +132,8 @@ private:
   bool has_distinct_corners(std::size_t f) const
   {
     const Soup_index* v = m_soup.begin(f);
-    return m_soup.size(f) == 3 && place(v[0]) != place(v[1]) && place(v[1]) != place(v[2]) && place(v[2]) != place(v[0]);
+    return m_soup.size(f) == 3 && place(v[0]) != place(v[1]) && place(v[1]) != place(v[2]) &&
+           place(v[2]) != place(v[0]);
   }
 
   // The polygons of the soup become triangles; shapeless ones and copies are left out.
@@ -239,8 +240,8 @@ private:
                      [&](std::size_t s) { return m_triangles.target(s); });
   }
 
-  // Whether two triangles may have the same corners. That takes an edge with more than two triangles, or two triangles at
-  // an edge with the same third corner.
+  // Whether two triangles may have the same corners. That takes an edge with more than two triangles, or two triangles
+  // at an edge with the same third corner.
   bool may_have_copies() const
   {
     if(!m_triangles.place.empty())
@@ -291,6 +292,7 @@ private:
   {
     Flat_triangles flat(m_triangles, m_is_flat);
     const std::size_t number = flat.find().size();
+    m_may_be_flat = number > 0 || !m_triangles.place.empty();
     if(number == m_triangles.size())
       return refuse(Mesh_reading_status::NO_FACES, "No face has an area.");
     if(number == 0 || !m_repairs.flatten_faces)
@@ -355,7 +357,9 @@ private:
         continue;
       mesh_number[v] = number;
       m_triangles.points[number] = m_triangles.points[v];
-      file_number.push_back(v < nf ? static_cast<Soup_index>(v) : v - nf < m_origin.size() ? m_origin[v - nf] : no_index);
+      file_number.push_back(v < nf                     ? static_cast<Soup_index>(v)
+                            : v - nf < m_origin.size() ? m_origin[v - nf]
+                                                       : no_index);
       ++number;
     }
     m_triangles.points.resize(number);
@@ -394,13 +398,17 @@ private:
   {
     int longest = 0;
     const std::vector<Polygon_soup::Point>& p = m_surface.points;
-    for(const auto& t : m_surface.triangles)
+    for(std::size_t f = 0; f < m_surface.triangles.size() && m_may_be_flat; ++f)
+    {
+      const auto& t = m_surface.triangles[f];
       m_result.number_of_degenerate_faces += m_is_flat(p[t[0]], p[t[1]], p[t[2]], longest);
+    }
     const Cracks cracks = find_cracks(m_surface, m_size.diagonal);
     m_result.number_of_crack_edges = cracks.number_of_edges;
     m_crack_width = cracks.width;
   }
 
+  bool m_may_be_flat = true; // whether the mesh may have triangles of zero area
   double m_crack_width = 0;
 
   // A sentence about n things that were changed; `what` follows the verb.
@@ -417,8 +425,8 @@ private:
     say(c.merged_vertices, "vertex", "vertices", " at the place of another one", "merged with it");
     say(c.shapeless_faces, "face", "faces", " with fewer than three distinct vertices", "dropped");
     say(c.copied_faces - c.other_sides, "face", "faces", " equal to another one", "dropped");
-    say(c.other_sides, "face", "faces", " that " + std::string(c.other_sides == 1 ? "is" : "are") + " the other side of another one",
-        "dropped");
+    say(c.other_sides, "face", "faces",
+        " that " + std::string(c.other_sides == 1 ? "is" : "are") + " the other side of another one", "dropped");
     say(c.fin_faces, "face", "faces", " of fins without volume", "dropped");
     say(c.triangulated_polygons, "polygon", "polygons", "", "triangulated");
     say(c.flattened_faces, "triangle", "triangles", " of zero area", "removed");
@@ -429,8 +437,9 @@ private:
     say(m_number_of_lines, "line element", "line elements", "", "passed over");
     say(m_number_of_points, "point element", "point elements", "", "passed over");
     if(m_result.number_of_degenerate_faces > 0)
-      m_result.repairs.push_back(count_of(m_result.number_of_degenerate_faces, "triangle", "triangles") + " of zero area " +
-                                 (m_result.number_of_degenerate_faces == 1 ? "is" : "are") + " left.");
+      m_result.repairs.push_back(count_of(m_result.number_of_degenerate_faces, "triangle", "triangles") +
+                                 " of zero area " + (m_result.number_of_degenerate_faces == 1 ? "is" : "are") +
+                                 " left.");
     if(m_result.number_of_crack_edges > 0)
     {
       std::ostringstream width;
@@ -439,7 +448,8 @@ private:
       width << m_crack_width;
       m_result.repairs.push_back(count_of(m_result.number_of_crack_edges, "border edge", "border edges") +
                                  (m_result.number_of_crack_edges == 1 ? " runs" : " run") +
-                                 " along another one, up to " + width.str() + " apart: the surface may have cracks there.");
+                                 " along another one, up to " + width.str() +
+                                 " apart: the surface may have cracks there.");
     }
   }
 };

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Makes a halfedge structure of a surface, in linear time since neighbors are known. Halfedges and the halfedges of vertices
-// and faces are those that CGAL::Euler::add_face() gives when it adds one face after the other.
+// Makes a halfedge structure of a surface, in linear time since neighbors are known. Halfedges and the halfedges of
+// vertices and faces are those that CGAL::Euler::add_face() gives when it adds one face after the other.
 template <typename FaceGraph, typename VertexPointMap>
 void build_mesh(const Triangle_surface& surface, FaceGraph& g, VertexPointMap vpm)
 {

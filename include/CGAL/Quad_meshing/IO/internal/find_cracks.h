@@ -40,8 +40,8 @@ inline double distance_to_segment(const Soup_vector& x, const Soup_vector& p, co
   return soup_distance(x, {{ p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2] }});
 }
 
-// Finds border edges that run along another border edge: those whose midpoint and whose points a quarter from their ends
-// are closer to it than a tenth of their own length and a thousandth of the diagonal.
+// Finds border edges that run along another border edge: those whose midpoint and whose points a quarter from their
+// ends are closer to it than a tenth of their own length and a thousandth of the diagonal.
 inline Cracks find_cracks(const Triangle_surface& surface, double diagonal)
 {
   constexpr double share_of_length = 0.1, share_of_diagonal = 1e-3;

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Removes triangles without a height, see Flatness. The longest side of such a triangle holds its third vertex, so the surface, as a
-// set of points, stays what it is if that vertex is inserted into the other triangles at that side and the flat one is
-// taken away. Two flat triangles with the same vertices go together.
+// Removes triangles without a height, see Flatness. The longest side of such a triangle holds its third vertex, so the
+// surface, as a set of points, stays what it is if that vertex is inserted into the other triangles at that side and
+// the flat one is taken away. Two flat triangles with the same vertices go together.
 //
 // This comes before edges with more than two faces are looked for: flat triangles are what makes many of them.
 class Flat_triangles
@@ -59,6 +59,7 @@ public:
   void operator()()
   {
     std::vector<Soup_index> flat = find();
+    const std::size_t number_before = flat.size();
     // Every triangle that is removed leaves others whose longest side is no longer than its own; the bounds are for
     // chains of collinear vertices.
     std::size_t steps = 10 * flat.size();
@@ -71,11 +72,12 @@ public:
         if(!m_is_removed[queue.front()] && remove(queue.front(), queue))
           --steps;
       m_triangles.keep_if([&](std::size_t f) { return m_is_removed[f] == 0; });
-      const std::vector<Soup_index> left = find();
-      if(left.size() == flat.size() || steps == 0)
-        return;
-      flat = left;
+      const std::size_t last_number = flat.size();
+      flat = find();
+      if(flat.size() == last_number || steps == 0)
+        break;
     }
+    number_removed = number_before > flat.size() ? number_before - flat.size() : 0;
   }
 
 private:
@@ -122,7 +124,6 @@ private:
       return false;
 
     m_is_removed[f] = 1;
-    ++number_removed;
     const std::vector<Soup_index> at_side = m_at_side[key(a, b)];
     for(Soup_index g : at_side)
     {
@@ -134,10 +135,7 @@ private:
         ++l;
       const std::array<Soup_index, 3> c = m_triangles.corners[g];
       if(place(g, l + 2) == m_triangles.place_of(middle))
-      {
-        ++number_removed; // a flat triangle with the same vertices
-        continue;
-      }
+        continue; // a flat triangle with the same vertices
       // Copies: the vectors grow.
       const Soup_index face = m_triangles.file_face[g], other = m_triangles.other_side_of(g);
       add({{ c[l], middle, c[(l + 2) % 3] }}, face, other, queue);

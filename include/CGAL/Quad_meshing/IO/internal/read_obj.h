@@ -25,10 +25,9 @@ namespace internal {
 inline bool is_other_obj_statement(std::string_view key)
 {
   static const std::array<std::string_view, 30> keys = {
-    { "vt", "vn", "vp", "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",
-      "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp",
-      "end", "con" }
-  };
+      {"vt",     "vn",    "vp",       "g",        "o",    "s",          "mg",        "usemtl", "mtllib", "usemap",
+       "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
+       "deg",    "bmat",  "step",     "parm",     "trim", "hole",       "scrv",      "sp",     "end",    "con"}};
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 

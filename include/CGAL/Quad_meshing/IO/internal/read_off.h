@@ -78,7 +78,8 @@ inline bool check_point(Text_scanner& in, const Polygon_soup::Point& p, std::siz
   for(double x : p)
     if(const char* defect = coordinate_defect(x))
     {
-      in.fail("vertex " + std::to_string(v) + defect + " (numbers count from 0)", Mesh_reading_status::INVALID_COORDINATE);
+      in.fail("vertex " + std::to_string(v) + defect + " (numbers count from 0)",
+              Mesh_reading_status::INVALID_COORDINATE);
       return false;
     }
   return true;
@@ -150,11 +151,14 @@ inline void read_off_text(Text_scanner& in, const Off_header& header, std::size_
   }
   in.skip_to_item();
   if(!in.at_end())
-    in.fail("there is more than the " + count_of(static_cast<std::size_t>(nf), "face", "faces") + " that the header promises");
+    in.fail("there is more than the " + count_of(static_cast<std::size_t>(nf), "face", "faces") +
+            " that the header promises");
 }
 
-// The same in binary form: big-endian integers and floats of 32 bits; each face has the number of its colors at its end.
-inline void read_off_binary(Text_scanner& in, const Off_header& header, std::size_t size, const char* end, Polygon_soup& soup)
+// The same in binary form: big-endian integers and floats of 32 bits; each face has the number of its colors at its
+// end.
+inline void read_off_binary(Text_scanner& in, const Off_header& header, std::size_t size, const char* end,
+                            Polygon_soup& soup)
 {
   Binary_scanner data(in.position(), end, true);
   const long long nv = data.read<std::int32_t>(), nf = data.read<std::int32_t>();
@@ -196,7 +200,8 @@ inline void read_off_binary(Text_scanner& in, const Off_header& header, std::siz
   }
   const std::size_t smallest_face = 8; // bytes: the number of vertices and the number of colors
   if(data.left() >= smallest_face)
-    in.fail("there is more than the " + count_of(static_cast<std::size_t>(nf), "face", "faces") + " that the header promises");
+    in.fail("there is more than the " + count_of(static_cast<std::size_t>(nf), "face", "faces") +
+            " that the header promises");
 }
 
 // Reads an OFF file; what is wrong with it is left in the scanner.

@@ -28,14 +28,24 @@ enum class Ply_type { NONE, INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UI
 
 inline Ply_type ply_type(std::string_view name)
 {
-  static const std::array<std::pair<std::string_view, Ply_type>, 18> names = {
-    { { "char", Ply_type::INT8 }, { "int8", Ply_type::INT8 }, { "uchar", Ply_type::UINT8 }, { "uint8", Ply_type::UINT8 },
-      { "short", Ply_type::INT16 }, { "int16", Ply_type::INT16 }, { "ushort", Ply_type::UINT16 },
-      { "uint16", Ply_type::UINT16 }, { "int", Ply_type::INT32 }, { "int32", Ply_type::INT32 },
-      { "uint", Ply_type::UINT32 }, { "uint32", Ply_type::UINT32 }, { "int64", Ply_type::INT64 },
-      { "uint64", Ply_type::UINT64 }, { "float", Ply_type::FLOAT32 }, { "float32", Ply_type::FLOAT32 },
-      { "double", Ply_type::FLOAT64 }, { "float64", Ply_type::FLOAT64 } }
-  };
+  static const std::array<std::pair<std::string_view, Ply_type>, 18> names = {{{"char", Ply_type::INT8},
+                                                                               {"int8", Ply_type::INT8},
+                                                                               {"uchar", Ply_type::UINT8},
+                                                                               {"uint8", Ply_type::UINT8},
+                                                                               {"short", Ply_type::INT16},
+                                                                               {"int16", Ply_type::INT16},
+                                                                               {"ushort", Ply_type::UINT16},
+                                                                               {"uint16", Ply_type::UINT16},
+                                                                               {"int", Ply_type::INT32},
+                                                                               {"int32", Ply_type::INT32},
+                                                                               {"uint", Ply_type::UINT32},
+                                                                               {"uint32", Ply_type::UINT32},
+                                                                               {"int64", Ply_type::INT64},
+                                                                               {"uint64", Ply_type::UINT64},
+                                                                               {"float", Ply_type::FLOAT32},
+                                                                               {"float32", Ply_type::FLOAT32},
+                                                                               {"double", Ply_type::FLOAT64},
+                                                                               {"float64", Ply_type::FLOAT64}}};
   for(const auto& entry : names)
     if(entry.first == name)
       return entry.second;
@@ -160,7 +170,8 @@ public:
     Binary_scanner data(m_in.position(), end, m_format == "binary_big_endian");
     Ply_binary_values values(data);
     read_elements(values);
-    if(!m_in.failed() && std::string_view(data.position(), data.left()).find_first_not_of(" \t\r\n") != std::string_view::npos)
+    if(!m_in.failed() &&
+       std::string_view(data.position(), data.left()).find_first_not_of(" \t\r\n") != std::string_view::npos)
       m_in.fail("there is more than the header promises");
   }
 
@@ -192,7 +203,8 @@ private:
   void read_format()
   {
     m_format = std::string(m_in.word());
-    if((m_format != "ascii" && m_format != "binary_little_endian" && m_format != "binary_big_endian") || m_in.word() != "1.0")
+    if((m_format != "ascii" && m_format != "binary_little_endian" && m_format != "binary_big_endian") ||
+       m_in.word() != "1.0")
       m_in.fail("the format is not one of ascii, binary_little_endian, binary_big_endian, version 1.0");
   }
 
@@ -203,7 +215,8 @@ private:
     long long n = 0;
     // Every element takes at least one byte.
     if(m_in.read(n) && (n < 0 || static_cast<unsigned long long>(n) > m_text.size()))
-      m_in.fail("the header promises " + std::to_string(n) + " elements '" + element.name + "', more than the file can hold");
+      m_in.fail("the header promises " + std::to_string(n) + " elements '" + element.name +
+                "', more than the file can hold");
     element.count = static_cast<std::size_t>(n);
     m_elements.push_back(element);
   }
@@ -308,7 +321,8 @@ private:
     Polygon_soup::Point p = {{ 0, 0, 0 }};
     for(const Ply_property& property : element.properties)
     {
-      if(property.count_type == Ply_type::NONE && property.name.size() == 1 && 'x' <= property.name[0] && property.name[0] <= 'z')
+      if(property.count_type == Ply_type::NONE && property.name.size() == 1 && 'x' <= property.name[0] &&
+         property.name[0] <= 'z')
         p[static_cast<std::size_t>(property.name[0] - 'x')] = values.real(property.type);
       else
         skip(property, values);
@@ -384,10 +398,11 @@ inline void read_ply(Text_scanner& in, std::string_view text, Polygon_soup& soup
     for(std::size_t c = soup.first_corner[f]; c < soup.first_corner[f + 1]; ++c)
       if(soup.corners[c] >= soup.points.size())
         return in.fail_without_line("Face " + std::to_string(f) + " names vertex " +
-                                      std::to_string(c == soup.impossible_corner ? soup.impossible_index
-                                                                                 : static_cast<long long>(soup.corners[c])) +
-                                      ", but there are only " + count_of(soup.points.size(), "vertex", "vertices") +
-                                      " (numbers count from 0)",
+                                        std::to_string(c == soup.impossible_corner
+                                                           ? soup.impossible_index
+                                                           : static_cast<long long>(soup.corners[c])) +
+                                        ", but there are only " + count_of(soup.points.size(), "vertex", "vertices") +
+                                        " (numbers count from 0)",
                                     Mesh_reading_status::INVALID_INDEX);
 }
 

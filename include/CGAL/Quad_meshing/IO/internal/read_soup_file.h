@@ -24,7 +24,8 @@ CGAL_QUAD_MESHING_INLINE std::string file_extension(const std::string& filename)
 
 // Reads the polygons of a file. After success there is at least one, all indices are valid and all coordinates finite.
 // Else the reason is in `result`.
-CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygon_soup& soup, Mesh_reading_result& result);
+CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygon_soup& soup,
+                                             Mesh_reading_result& result);
 
 } // namespace internal
 } // namespace Quad_meshing

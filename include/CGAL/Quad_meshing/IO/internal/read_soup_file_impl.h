@@ -45,20 +45,20 @@ inline bool read_bytes(const std::string& filename, std::string& bytes, std::str
   errno = 0;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(filename.c_str(), "rb"), &std::fclose);
   bool is_good = file != nullptr;
+  std::size_t wanted = std::size_t(1) << 20; // bytes, where the size is not known
   if(is_good && std::fseek(file.get(), 0, SEEK_END) == 0)
   {
     // What has a size is read at once; a pipe has none.
     const long size = std::ftell(file.get());
     constexpr long largest_guess = 1L << 30; // bytes; a folder says any size
     if(0 < size && size <= largest_guess)
-      bytes.reserve(static_cast<std::size_t>(size) + 1);
+      wanted = static_cast<std::size_t>(size) + 1;
     std::rewind(file.get());
   }
   errno = is_good ? 0 : errno;
-  for(std::size_t n = 1; is_good && n > 0;)
+  for(std::size_t n = wanted; is_good && n == wanted;)
   {
-    constexpr std::size_t chunk = std::size_t(1) << 20; // bytes
-    const std::size_t old_size = bytes.size(), wanted = (std::max)(chunk, bytes.capacity() - old_size);
+    const std::size_t old_size = bytes.size();
     bytes.resize(old_size + wanted);
     n = std::fread(&bytes[old_size], 1, wanted, file.get());
     bytes.resize(old_size + n);
@@ -75,7 +75,8 @@ inline std::string_view without_byte_order_mark(std::string_view text)
   return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
 }
 
-CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygon_soup& soup, Mesh_reading_result& result)
+CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygon_soup& soup,
+                                             Mesh_reading_result& result)
 {
   auto refuse = [&](Mesh_reading_status status, const std::string& message)
   {
@@ -89,7 +90,8 @@ CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygo
     return refuse(Mesh_reading_status::CANNOT_OPEN, "The file cannot be read: " + error + ".");
   const std::string extension = file_extension(filename);
   if(extension != "off" && extension != "obj" && extension != "ply" && extension != "stl")
-    return refuse(Mesh_reading_status::UNKNOWN_FORMAT, "The format '" + extension + "' is not one of off, obj, ply, stl.");
+    return refuse(Mesh_reading_status::UNKNOWN_FORMAT,
+                  "The format '" + extension + "' is not one of off, obj, ply, stl.");
   const std::string_view text = without_byte_order_mark(bytes);
   if(text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return refuse(Mesh_reading_status::EMPTY_FILE, "The file is empty.");
@@ -113,7 +115,8 @@ CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygo
                   std::string(soup.points.size() == 1 ? "There is " : "There are ") +
                     count_of(soup.points.size(), "vertex", "vertices") + " but no faces.");
   if(soup.corners.size() >= no_index || soup.points.size() >= no_index)
-    return refuse(Mesh_reading_status::MALFORMED_FILE, "There are more corners of faces than can be numbered with 32 bits.");
+    return refuse(Mesh_reading_status::MALFORMED_FILE,
+                  "There are more corners of faces than can be numbered with 32 bits.");
   return true;
 }
 

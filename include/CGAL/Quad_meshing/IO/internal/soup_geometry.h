@@ -64,8 +64,9 @@ struct Soup_size
     diagonal = soup_distance(low, high);
   }
 
-  // Lengths up to this one are rounding of computations in double precision: eight units in the last place of the largest
-  // coordinate. Sums and products of three coordinates, and their conversion from decimal digits, lose up to that much.
+  // Lengths up to this one are rounding of computations in double precision: eight units in the last place of the
+  // largest coordinate. Sums and products of three coordinates, and their conversion from decimal digits, lose up to
+  // that much.
   double vanishing_length() const
   {
     constexpr double units = 8;
@@ -78,11 +79,11 @@ class Flatness
 {
   double m_vanishing_length, m_unit;
 
-  // A vertex that was rounded to the accuracy of the file is off a line through two other such vertices by less than four
-  // units in the last place of the largest coordinate.
+  // A vertex that was rounded to the accuracy of the file is off a line through two other such vertices by less than
+  // four units in the last place of the largest coordinate.
   static constexpr double units = 4;
-  // What is called flat on account of the accuracy of the file must be a sliver too, with its middle vertex well between
-  // the others: not a triangle of a mesh that is as fine as its file can say.
+  // What is called flat on account of the accuracy of the file must be a sliver too, with its middle vertex well
+  // between the others: not a triangle of a mesh that is as fine as its file can say.
   static constexpr double largest_sliver = 1e-3; // height over the longest side
   static constexpr double shortest_side = 10;    // in heights
 

@@ -26,10 +26,10 @@ namespace internal {
 
 // Cuts a polygon into triangles, given as positions of its corners.
 //
-// A polygon with four corners is cut at the diagonal whose triangles have the larger scalar product of normals, weighted
-// with their areas. Others are projected along their mean normal, cut by removing ears, and improved by flips to the
-// Delaunay triangulation. A polygon may touch itself, as one does that reaches its holes over slits. The orientation of
-// corners is tested exactly; a polygon that crosses itself gets triangles that do.
+// A polygon with four corners is cut at the diagonal whose triangles have the larger scalar product of normals,
+// weighted with their areas. Others are projected along their mean normal, cut by removing ears, and improved by flips
+// to the Delaunay triangulation. A polygon may touch itself, as one does that reaches its holes over slits. The
+// orientation of corners is tested exactly; a polygon that crosses itself gets triangles that do.
 class Polygon_triangulator
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
@@ -73,7 +73,8 @@ private:
     Soup_vector normal = {{ 0, 0, 0 }};
     for(std::size_t i = 1; i + 1 < n; ++i)
     {
-      const Soup_vector c = soup_cross(soup_difference(corners[i], corners[0]), soup_difference(corners[i + 1], corners[0]));
+      const Soup_vector c =
+          soup_cross(soup_difference(corners[i], corners[0]), soup_difference(corners[i + 1], corners[0]));
       for(std::size_t d = 0; d < 3; ++d)
         normal[d] += c[d];
     }
@@ -95,8 +96,8 @@ private:
     return static_cast<int>(orientation(m_points[a], m_points[b], m_points[c]));
   }
 
-  // Removes corners that make a triangle without another corner in it. Only corners where the polygon does not turn left
-  // can lie in such a triangle. If there is none, as in a polygon that crosses itself, any left turn is taken.
+  // Removes corners that make a triangle without another corner in it. Only corners where the polygon does not turn
+  // left can lie in such a triangle. If there is none, as in a polygon that crosses itself, any left turn is taken.
   void remove_ears()
   {
     const std::size_t n = m_points.size();
@@ -140,7 +141,8 @@ private:
       prev[next[i]] = prev[i];
       --left;
       others.erase(std::remove_if(others.begin(), others.end(),
-                                  [&](std::size_t j) { return j == i || ((j == prev[i] || j == next[i]) && is_convex(j)); }),
+                                  [&](std::size_t j)
+                                  { return j == i || ((j == prev[i] || j == next[i]) && is_convex(j)); }),
                    others.end());
       i = next[next[i]]; // not the neighbor: that would make a fan of slivers
     }

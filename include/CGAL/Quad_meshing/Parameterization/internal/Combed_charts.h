@@ -79,8 +79,8 @@ struct Combed_charts
     return modulo_4(turns[h / 3] - p - turns[mesh.opposite[h] / 3]);
   }
 
-  // The path that is crossed where one leaves the face of h over h: 1 + path if h runs along it, -(1 + path) if against it,
-  // 0 if the edge is not cut.
+  // The path that is crossed where one leaves the face of h over h: 1 + path if h runs along it, -(1 + path) if against
+  // it, 0 if the edge is not cut.
   int path_crossed(int h) const
   {
     const int e = mesh.edge_of[h];

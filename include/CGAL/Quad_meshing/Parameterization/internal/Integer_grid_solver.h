@@ -43,7 +43,8 @@ class Integer_grid_solver
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 
-  // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need not be aligned.
+  // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need
+  // not be aligned.
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
@@ -61,8 +62,8 @@ public:
     return static_cast<int>(std::count(coordinates.is_integer.begin(), coordinates.is_integer.end(), true));
   }
 
-  // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are rounded.
-  // Returns false if the energy could not be factorized.
+  // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are
+  // rounded. Returns false if the energy could not be factorized.
   bool solve_seamless(double anisotropy, unsigned int stiffening_iterations)
   {
     struct Reduction
@@ -90,7 +91,8 @@ public:
     m_optimization.operations_left = most_operations;
     if(!m_progress.go_further())
       return false;
-    // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a stiffer map.
+    // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a
+    // stiffer map.
     const Eigen::VectorXd start = relaxed;
     if(untangle_seamless(relaxed))
       return true;
@@ -105,10 +107,10 @@ public:
     return true;
   }
 
-  // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds, changed
-  // where two things were rounded onto each other. Then the seamless map is carried to the integers without ever
-  // folding; where that gets stuck, things have come together that seemed to be far enough from each other: the integers
-  // are changed there too, and so on.
+  // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds,
+  // changed where two things were rounded onto each other. Then the seamless map is carried to the integers without
+  // ever folding; where that gets stuck, things have come together that seemed to be far enough from each other: the
+  // integers are changed there too, and so on.
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
     std::vector<int> number(coordinates.number_of_variables(), -1);
@@ -243,8 +245,8 @@ private:
   Integer_energy m_reduction;
   double m_constant = 0;
   bool m_is_carried = false;
-  // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly every
-  // triangle no amount of work helps.
+  // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly
+  // every triangle no amount of work helps.
   static constexpr double most_operations = 1e10;
 
   bool untangle_seamless(Eigen::VectorXd& y)
@@ -261,8 +263,8 @@ private:
     return z;
   }
 
-  // Weights the energy anew and minimizes it over the variables that are not fixed, as long as there are fold-overs; `y` becomes
-  // the map with the fewest, for more weight can make things worse.
+  // Weights the energy anew and minimizes it over the variables that are not fixed, as long as there are fold-overs;
+  // `y` becomes the map with the fewest, for more weight can make things worse.
   void stiffen(Eigen::VectorXd& y, const std::vector<bool>& is_fixed, unsigned int iterations, double anisotropy)
   {
     Stiffening stiffening(coordinates, faces);

@@ -36,8 +36,8 @@ namespace internal {
 
 // Moves the free variables of a seamless map so that no triangle is folded over.
 //
-// The variables are those of `Seamless_coordinates`, so transitions, grid points and grid lines stay what they are, whatever
-// the moves. Newton steps with element Hessians made positive semi-definite; epsilon of the regularized
+// The variables are those of `Seamless_coordinates`, so transitions, grid points and grid lines stay what they are,
+// whatever the moves. Newton steps with element Hessians made positive semi-definite; epsilon of the regularized
 // distortion follows the worst determinant down (Garanzha et al. 2021). The work is restricted to
 // rings of vertices around the folded triangles, which are enlarged only where that is not enough.
 class Map_optimization
@@ -58,15 +58,15 @@ public:
       m_weight[f] = (std::max)(m_faces.area[f], least);
   }
 
-  // Operations that the repairs may still spend on assembling and factorizing; the descent ends where none are left. A count
-  // and not a time, so that results do not depend on the machine.
+  // Operations that the repairs may still spend on assembling and factorizing; the descent ends where none are left. A
+  // count and not a time, so that results do not depend on the machine.
   double operations_left = (std::numeric_limits<double>::max)();
 
   // Does not change results.
   unsigned int number_of_threads = 1;
 
-  // The faces that are folded over, and all the faces of a sector around a vertex whose images wind around it too often or
-  // too seldom: there the map is not injective although every triangle may be well oriented.
+  // The faces that are folded over, and all the faces of a sector around a vertex whose images wind around it too often
+  // or too seldom: there the map is not injective although every triangle may be well oriented.
   std::vector<int> folded_faces(const Eigen::VectorXd& x) const { return faces_below(x, 0); }
 
   // Removes fold-overs by moving the variables that `is_fixed` does not hold; `x` becomes the best map that was found.
@@ -87,8 +87,8 @@ public:
         return true;
       if(rings > most_rings)
         return false;
-      // From where the map is; then from a start that forgets how triangles were folded: no descent gets an image that winds
-      // around a vertex the wrong number of times to wind around it once.
+      // From where the map is; then from a start that forgets how triangles were folded: no descent gets an image that
+      // winds around a vertex the wrong number of times to wind around it once.
       for(bool anew : { false, true })
       {
         if(!m_progress.go_further())
@@ -116,9 +116,9 @@ public:
     return false;
   }
 
-  // Adds a displacement of all variables to a map without fold-overs, in steps of which none folds a triangle. After each, the
-  // triangles that stopped it get room by moving the variables around them that `is_fixed` does not hold. As no triangle is ever
-  // folded over, no image can come to wind around a vertex a wrong number of times.
+  // Adds a displacement of all variables to a map without fold-overs, in steps of which none folds a triangle. After
+  // each, the triangles that stopped it get room by moving the variables around them that `is_fixed` does not hold. As
+  // no triangle is ever folded over, no image can come to wind around a vertex a wrong number of times.
   // Returns whether the whole displacement was made; `x` is free of fold-overs in any case.
   bool carry(Eigen::VectorXd& x, const Eigen::VectorXd& displacement, const std::vector<bool>& is_fixed)
   {

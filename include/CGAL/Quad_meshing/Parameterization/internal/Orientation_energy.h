@@ -33,8 +33,8 @@ struct Orientation_energy
   Eigen::VectorXd b;
   double constant = 0;
 
-  // `weight` per face: the stiffening weights w; `anisotropy`: g, in (0, 1]. If the visitor of `progress` stops it, the energy is of
-  // no use.
+  // `weight` per face: the stiffening weights w; `anisotropy`: g, in (0, 1]. If the visitor of `progress` stops it, the
+  // energy is of no use.
   Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
                      const std::vector<double>& weight, double anisotropy, Stage_progress* progress = nullptr)
   {
@@ -44,8 +44,8 @@ struct Orientation_energy
              Eigen::VectorXd::Zero(coordinates.number_of_variables()), progress);
   }
 
-  // The same over some of the variables only: `number` gives their numbers, from 0 to n - 1, and -1 for the variables that
-  // keep their value in `x`.
+  // The same over some of the variables only: `number` gives their numbers, from 0 to n - 1, and -1 for the variables
+  // that keep their value in `x`.
   Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
                      const std::vector<double>& weight, double anisotropy, const std::vector<int>& number, int n,
                      const Eigen::VectorXd& x, Stage_progress* progress = nullptr)

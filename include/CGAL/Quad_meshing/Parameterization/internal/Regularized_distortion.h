@@ -24,7 +24,8 @@ namespace internal {
 // epsilon vanishes (Garanzha et al., "Foldover-free maps in 50 lines of code", 2021), plus a pull
 // towards the identity, the combed field:
 //
-//   N(J) / chi(det J) + a/2 |J - I|^2,   N(J) = |J|^2 / 2 + l/2 (det^2 + 1),   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2.
+//   N(J) / chi(det J) + a/2 |J - I|^2,   N(J) = |J|^2 / 2 + l/2 (det^2 + 1),   chi(D) = (D + sqrt(D^2 + epsilon^2)) /
+//   2.
 //
 // With epsilon = 0 it is the exact barrier, infinite for det <= 0.
 class Regularized_distortion

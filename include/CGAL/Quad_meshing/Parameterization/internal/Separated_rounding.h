@@ -27,9 +27,9 @@ namespace internal {
 
 // Changes integers so that all separations hold, at little energy 1/2 z'Sz - z'c.
 //
-// A separation is a linear inequality on the integers. Local search over steps of one integer, and of two that the energy
-// couples strongly, on the energy plus the weighted violations; in a local minimum with violations their weights grow
-// (Morris, "The breakout method for escaping from local minima", 1993). Deterministic.
+// A separation is a linear inequality on the integers. Local search over steps of one integer, and of two that the
+// energy couples strongly, on the energy plus the weighted violations; in a local minimum with violations their weights
+// grow (Morris, "The breakout method for escaping from local minima", 1993). Deterministic.
 class Separated_rounding
 {
 public:
@@ -78,7 +78,8 @@ public:
     }
     Eigen::VectorXd best = z;
     int fewest = violated();
-    // Steps without fewer violations. However few integers there are, weights have to grow a number of times to change anything.
+    // Steps without fewer violations. However few integers there are, weights have to grow a number of times to change
+    // anything.
     const int most_idle_steps = 300 + static_cast<int>(m_inequalities.size() + m_inequalities_of.size());
     int patience = most_idle_steps;
     const auto keep_if_best = [&]()
@@ -203,7 +204,8 @@ private:
     }
   }
 
-  // The inequalities that a step of two integers changes by both: only there it gains something else than the two steps do.
+  // The inequalities that a step of two integers changes by both: only there it gains something else than the two steps
+  // do.
   void find_shared_inequalities()
   {
     m_shared.resize(m_partners.size());

@@ -74,7 +74,8 @@ public:
 
   std::vector<Separation> list;
 
-  // `reference` is the map in which all things lie in the right order. The list is not complete if the visitor stops the search.
+  // `reference` is the map in which all things lie in the right order. The list is not complete if the visitor stops
+  // the search.
   Separations(const Seamless_coordinates& coordinates, const std::vector<bool>& is_grid_point,
               const std::vector<bool>& is_aligned, const Eigen::VectorXd& reference, Stage_progress& progress)
     : m_coordinates(coordinates), m_charts(coordinates.charts), m_mesh(coordinates.charts.mesh),
@@ -84,8 +85,8 @@ public:
     discover(reference, 1.5);
   }
 
-  // Adds what lies nearer to each other than a number of grid units in another map. Around singular vertices the same faces are
-  // met in more than one position, of which the first counts: the smaller the reach, the fewer are missed.
+  // Adds what lies nearer to each other than a number of grid units in another map. Around singular vertices the same
+  // faces are met in more than one position, of which the first counts: the smaller the reach, the fewer are missed.
   void discover(const Eigen::VectorXd& map, double farthest)
   {
     const int searches_per_report = 32; // each takes up to a millisecond

@@ -34,8 +34,9 @@ public:
     : m_coordinates(coordinates), m_mesh(coordinates.charts.mesh), m_faces(faces), m_sectors(sectors), m_number(number)
   {}
 
-  // Lays out the neighbours of irregular vertices with folded faces: in their order, at angles in the proportion of those on
-  // the surface and that fill the sector, at a part of their distance. Returns which variables have got a place.
+  // Lays out the neighbours of irregular vertices with folded faces: in their order, at angles in the proportion of
+  // those on the surface and that fill the sector, at a part of their distance. Returns which variables have got a
+  // place.
   std::vector<bool> open(const std::vector<int>& folded_faces, Eigen::VectorXd& x) const
   {
     std::vector<bool> is_folded(m_mesh.number_of_faces(), false), is_placed(m_coordinates.number_of_variables(), false);

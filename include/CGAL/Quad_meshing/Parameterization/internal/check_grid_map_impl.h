@@ -60,7 +60,8 @@ check_grid_map(const Indexed_triangle_mesh& m, const std::vector<std::array<doub
   {
     if(seen[start])
       continue;
-    // A grid direction d leaves the vertex in the corner between a and b, counted with the side of a, if a x d >= 0 < d x b.
+    // A grid direction d leaves the vertex in the corner between a and b, counted with the side of a, if a x d >= 0 < d
+    // x b.
     int directions = 0;
     bool on_grid = true, folded = false;
     int h = start;

@@ -47,8 +47,8 @@ struct Grid_map_options
   unsigned int number_of_threads = 1;
 };
 
-// Computes an integer-grid map [Bom12, 8.4] and fills in the figures of the result. `uv` gets the image of the source of every
-// halfedge in the chart of its face, if the status is VALID or FOLDED.
+// Computes an integer-grid map [Bom12, 8.4] and fills in the figures of the result. `uv` gets the image of the source
+// of every halfedge in the chart of its face, if the status is VALID or FOLDED.
 CGAL_QUAD_MESHING_INLINE Integer_grid_map_status
 solve_grid_map(const Grid_map_problem& problem, const Grid_map_options& options, Any_visitor& visitor,
                std::vector<std::array<double, 2> >& uv, Integer_grid_map_result& result);

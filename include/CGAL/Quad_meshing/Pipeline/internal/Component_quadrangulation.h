@@ -24,7 +24,6 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -81,10 +80,10 @@ public:
   }
 
 private:
-  // Of a squared deviation, in radians, from a reliable direction of curvature, over the area of a quad, against the squared
-  // differences between triangles. With it the field follows the surface over distances of a quad.
-  static double alignment_strength() { const char* e = std::getenv("QM_ALIGN"); return e ? std::atof(e) : 1; }
-  const double weight_of_alignment = alignment_strength();
+  // The weight, at full alignment, of a squared deviation from a reliable direction of curvature over the area of one quad, against a
+  // squared difference between two triangles. From 0.03 to 3, directions get nearer to those of the surface and singularities more: on a
+  // rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7 and 46 with 3.
+  static constexpr double weight_of_alignment = 1;
 
   void prepare()
   {

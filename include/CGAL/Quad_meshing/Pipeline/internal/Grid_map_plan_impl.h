@@ -52,10 +52,11 @@ inline Optional_plan plan_other_length(const Grid_map_situation& s)
 
 inline Optional_plan plan_other_field(const Grid_map_situation& s)
 {
-  if(!is_folded(s) || s.requested_method != Cross_field_method::REPRESENTATION)
+  if(!is_folded(s))
     return std::nullopt;
   Grid_map_plan plan;
-  plan.new_field = Cross_field_method::POLISHED;
+  plan.new_field = s.requested_method == Cross_field_method::POLISHED ? Cross_field_method::REPRESENTATION
+                                                                      : Cross_field_method::POLISHED;
   return plan;
 }
 
