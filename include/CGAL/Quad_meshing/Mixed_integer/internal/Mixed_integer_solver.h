@@ -206,6 +206,7 @@ private:
     // About what one core visits in a second, the reduction of the basis included.
     const double nodes_per_second = 3e7;
     const double nodes = (std::min)(m_options.maximum_number_of_nodes, nodes_per_second * m_limits.seconds_left());
+    m_is_limited_by_time = nodes < m_options.maximum_number_of_nodes;
     Dense_lattice_rounding lattice(schur.matrix(), schur.target(), nodes,
                                    m_options.number_of_bound_rounds, m_go_further);
     const Lattice_result result = lattice.run(greedy);
@@ -276,7 +277,7 @@ private:
     else
     {
       m_solution.status = Mixed_integer_status::FEASIBLE;
-      m_solution.message = m_limits.is_out_of_time()
+      m_solution.message = m_limits.is_out_of_time() || m_is_limited_by_time
           ? "All conditions hold; the time limit was met before the energy was proven minimal."
           : "All conditions hold; the energy is not proven minimal.";
     }
@@ -350,6 +351,7 @@ private:
   Eigen::VectorXd m_z; // the solution over the free variables
   bool m_ran = false;
   bool m_is_proven = false; // the method has proven its solution optimal
+  bool m_is_limited_by_time = false;
   Mixed_integer_solution m_solution;
 };
 
