@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -40,7 +39,7 @@ class Surface_components
   typedef std::array<int, 3> Triangle;
 
 public:
-  std::vector<std::unique_ptr<Quadrangulation_surface> > surfaces; // those with the first vertices come first
+  std::vector<std::unique_ptr<Quadrangulation_surface> > surfaces; // those with the smallest points come first
   std::size_t number_of_divided_vertices = 0;
   std::string error; // a sentence; empty if all went well
 
@@ -49,6 +48,7 @@ public:
   {
     if(!match_sides())
       return;
+    find_components();
     number_vertices();
     const std::vector<std::vector<Face> > components = sorted_components();
     for(const std::vector<Face>& faces : components)
@@ -136,14 +136,24 @@ private:
         number_of_divided_vertices += is_used[vertex(s)] == 1;
         is_used[vertex(s)] = static_cast<char>((std::min)(2, is_used[vertex(s)] + 1));
       }
-    Bbox_3 box;
+    // A component is numbered as if it were alone.
+    std::vector<Bbox_3> boxes(m_number_of_components);
+    std::vector<std::size_t> sizes(m_number_of_components, 0);
     for(int r : roots)
-      box += point(r).bbox();
-    const Z_curve curve(box, roots.size());
-    std::vector<std::pair<int, int> > keys; // cell of the curve, root
+    {
+      boxes[m_component[r / 3]] += point(r).bbox();
+      ++sizes[m_component[r / 3]];
+    }
+    std::vector<Z_curve> curves;
+    for(int c = 0; c < m_number_of_components; ++c)
+      curves.emplace_back(boxes[c], sizes[c]);
+    std::vector<std::pair<std::array<int, 2>, int> > keys; // component and cell of its curve, root
     for(int r : roots)
-      keys.emplace_back(curve.cell(point(r)), r);
-    std::sort(keys.begin(), keys.end(), [&](const std::pair<int, int>& a, const std::pair<int, int>& b)
+    {
+      const int c = m_component[r / 3];
+      keys.push_back({ {{ c, curves[c].cell(point(r)) }}, r });
+    }
+    std::sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b)
     {
       if(a.first != b.first)
         return a.first < b.first;
@@ -152,7 +162,7 @@ private:
       return a.second < b.second;
     });
     std::vector<int> number(ns);
-    for(const std::pair<int, int>& k : keys)
+    for(const auto& k : keys)
     {
       number[k.second] = static_cast<int>(m_points.size());
       m_points.push_back(point(k.second));
@@ -164,13 +174,42 @@ private:
 
   const Quadrangulation_kernel::Point_3& point(int side) const { return m_input.points[vertex(side)]; }
 
-  std::vector<std::vector<Face> > sorted_components()
+  // Components are numbered in the order of their smallest points.
+  void find_components()
   {
     Disjoint_sets sets(number_of_faces());
     for(int s = 0; s < 3 * number_of_faces(); ++s)
       if(m_opposite[s] != -1)
         sets.join(s / 3, m_opposite[s] / 3);
-    std::vector<Face> faces;
+    std::vector<int> smallest(number_of_faces(), -1); // per root: the side that starts at the smallest point
+    for(int s = 0; s < 3 * number_of_faces(); ++s)
+    {
+      int& t = smallest[sets.find(s / 3)];
+      if(t == -1 || point(s) < point(t))
+        t = s;
+    }
+    std::vector<int> roots;
+    for(int f = 0; f < number_of_faces(); ++f)
+      if(sets.find(f) == f)
+        roots.push_back(f);
+    std::sort(roots.begin(), roots.end(), [&](int a, int b)
+    {
+      const auto& p = point(smallest[a]);
+      const auto& q = point(smallest[b]);
+      return p != q ? p < q : a < b;
+    });
+    m_number_of_components = static_cast<int>(roots.size());
+    std::vector<int> component_of_root(number_of_faces(), -1);
+    for(int c = 0; c < m_number_of_components; ++c)
+      component_of_root[roots[c]] = c;
+    m_component.resize(number_of_faces());
+    for(int f = 0; f < number_of_faces(); ++f)
+      m_component[f] = component_of_root[sets.find(f)];
+  }
+
+  std::vector<std::vector<Face> > sorted_components() const
+  {
+    std::vector<std::vector<Face> > components(m_number_of_components);
     for(int f = 0; f < number_of_faces(); ++f)
     {
       int first = 0;
@@ -182,21 +221,10 @@ private:
         face.corners[k] = m_corner[3 * f + (first + k) % 3];
       face.number = f;
       face.first_side = first;
-      faces.push_back(face);
+      components[m_component[f]].push_back(face);
     }
-    std::sort(faces.begin(), faces.end());
-    std::vector<std::vector<Face> > components;
-    std::vector<int> component(number_of_faces(), -1); // per root
-    for(const Face& f : faces)
-    {
-      int& c = component[sets.find(f.number)];
-      if(c == -1)
-      {
-        c = static_cast<int>(components.size());
-        components.emplace_back();
-      }
-      components[c].push_back(f);
-    }
+    for(std::vector<Face>& faces : components)
+      std::sort(faces.begin(), faces.end());
     return components;
   }
 
@@ -232,6 +260,8 @@ private:
 
   const Triangle_input& m_input;
   std::vector<int> m_opposite; // per side, -1 on the border
+  int m_number_of_components = 0;
+  std::vector<int> m_component; // per face
   std::vector<int> m_corner;   // per side: the new vertex that it starts at
   std::vector<Quadrangulation_kernel::Point_3> m_points; // per new vertex
 };
