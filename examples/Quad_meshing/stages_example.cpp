@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The stages of quadrangulate(), called one after the other, give the same mesh. After each of them one can look at what it left
-// behind, and change it.
+// The stages of quadrangulate(), called one after the other, give the same mesh wherever its first plan is good enough; other
+// plans call them again for another length or field. After each stage one can look at what it left behind, and change it.
 //
 //   stages_example [input] [number of quads] [output.obj]
 

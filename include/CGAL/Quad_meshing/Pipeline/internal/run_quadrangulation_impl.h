@@ -298,6 +298,9 @@ private:
     if(m_result.released_feature_share != 0)
       m_result.message += "; " + std::to_string(std::lround(100 * m_result.released_feature_share)) +
                           " percent of the length of the sharp edges left no room for quads along them and were not followed";
+    if(m_result.folded_quads != 0)
+      m_result.message += "; " + std::to_string(m_result.folded_quads) +
+                          (m_result.folded_quads == 1 ? " quad is" : " quads are") + " inverted";
     if(m_result.refined_components != 0)
       m_result.message += "; " + std::to_string(m_result.refined_components) +
                           (m_result.refined_components == 1 ? " small component has" : " small components have") + " smaller quads";
