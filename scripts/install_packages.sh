@@ -1,8 +1,9 @@
 #!/bin/sh
-# Installs what is missing on Debian 12 to build and run Quad_meshing. Does nothing where all is there.
+# Installs what is missing on Debian 12 to build and run Quad_meshing, and the packages named. Does nothing where all is there.
+# Usage: scripts/install_packages.sh [PACKAGE...]
 set -eu
 
-packages="cmake ninja-build g++ ccache libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev libsuitesparse-dev"
+packages="cmake ninja-build g++ ccache libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev libsuitesparse-dev $*"
 
 missing=""
 for package in $packages; do

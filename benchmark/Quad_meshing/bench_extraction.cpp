@@ -6,9 +6,9 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The cost of the extraction, beside what it costs to read the triangle mesh from OFF text in memory and to copy it into
-// flat arrays. The maps are exact: a cube, each side triangulated over random points and divided into k x k
-// quads, with a random chart for each triangle.
+// The cost of the extraction, beside what it costs to read the triangle mesh from OFF text in memory and to copy it
+// into flat arrays. The maps are exact: a cube, each side triangulated over random points and divided into k x k quads,
+// with a random chart for each triangle.
 //
 //   bench_extraction [number of triangles, default 300000]
 
@@ -31,8 +31,8 @@ int main(int argc, char* argv[])
     return 2;
   }
 
-  std::printf("%10s %10s | %10s %10s %10s | %10s %10s | %12s %12s\n", "triangles", "quads", "read s", "index s", "extract s",
-              "x read", "x index", "ns/triangle", "ns/quad");
+  std::printf("%10s %10s | %10s %10s %10s | %10s %10s | %12s %12s\n", "triangles", "quads", "read s", "index s",
+              "extract s", "x read", "x index", "ns/triangle", "ns/quad");
   for(int k : { 1, 8, 26, 80, 250, 500 })
   {
     Options o;
@@ -57,8 +57,8 @@ int main(int argc, char* argv[])
     {
       indexing.reset();
       indexing.start();
-      CGAL::Quad_meshing::internal::make_indexed_triangle_mesh(m.mesh, m.mesh.points(), get(boost::vertex_index, m.mesh),
-                                                               get(boost::face_index, m.mesh));
+      CGAL::Quad_meshing::internal::make_indexed_triangle_mesh(
+        m.mesh, m.mesh.points(), get(boost::vertex_index, m.mesh), get(boost::face_index, m.mesh));
       indexing.stop();
       index_time = (std::min)(index_time, indexing.time());
 

@@ -7,10 +7,10 @@
 // Author(s)     : The Quad_meshing authors
 
 // Cross fields without constraints on a mesh and its decimations to 200, 1000 and 2000 triangles: the numbers of
-// integers and reals, then time and energy of every method (the shape of Table 5.1 of Bommes 2012), and the energy and time of
-// the default method relative to the others. The column 1e-3 is greedy rounding with its three levels alone, at that
-// tolerance. Times are the smallest of several runs, from the mesh to the field.
-// Where there are few integers, a lower bound says how much is left to gain.
+// integers and reals, then time and energy of every method (the shape of Table 5.1 of Bommes 2012), and the energy and
+// time of the default method relative to the others. The column 1e-3 is greedy rounding with its three levels alone, at
+// that tolerance. Times are the smallest of several runs, from the mesh to the field. Where there are few integers, a
+// lower bound says how much is left to gain.
 //
 //   bench_fields [mesh, default meshes/elephant.off of CGAL's data] [most triangles for naive rounding, default 2000]
 
@@ -54,8 +54,9 @@ Figures compute(Mesh& tm, QM::Cross_field_method method)
   auto angle = tm.add_property_map<Mesh::Face_index, double>("f:angle").first;
   auto period_jump = tm.add_property_map<Mesh::Edge_index, int>("e:period_jump").first;
   auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index").first;
-  return fastest([&]
-  {
+  return fastest(
+    [&]
+    {
     const QM::Cross_field_result r =
       QM::smooth_cross_field(tm, angle, period_jump, index, CGAL::parameters::cross_field_method(method));
     Figures figures;
@@ -70,15 +71,16 @@ Figures compute(Mesh& tm, QM::Cross_field_method method)
 
 Figures compute_with_three_levels(const Mesh& tm)
 {
-  return fastest([&]
-  {
+  return fastest(
+    [&]
+    {
     CGAL::Real_timer timer;
     timer.start();
     const Problem problem = field_problem(tm);
     const QM::Mixed_integer_solution s =
-        QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(QM::Rounding_method::GREEDY)
-                                             .maximum_dense_integers(0)
-                                             .rounding_tolerance(1e-3));
+      QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(QM::Rounding_method::GREEDY)
+                                         .maximum_dense_integers(0)
+                                         .rounding_tolerance(1e-3));
     Figures figures;
     figures.energy = s.energy;
     figures.seconds = timer.time();
@@ -97,8 +99,9 @@ void print_lower_bound(Mesh& tm, double greedy_energy)
   auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index").first;
   const QM::Cross_field_result r =
     QM::smooth_cross_field(tm, angle, period_jump, index, CGAL::parameters::number_of_bound_rounds(rounds));
-  std::printf("%18s no field has less energy than %.4f, %.4f of the best one and %.4f of that of greedy rounding; proven in %.3f s\n", "",
-              r.lower_bound, r.lower_bound / r.energy, r.lower_bound / greedy_energy, r.seconds);
+  std::printf("%18s no field has less energy than %.4f, %.4f of the best one and %.4f of that of greedy rounding; "
+              "proven in %.3f s\n",
+              "", r.lower_bound, r.lower_bound / r.energy, r.lower_bound / greedy_energy, r.seconds);
 }
 
 void print(const Figures& f)
@@ -121,9 +124,11 @@ int main(int argc, char* argv[])
   }
 
   std::printf("%9s %8s | %21s | %21s | %16s | %21s | %21s | %8s %8s %8s | %8s %8s\n", "triangles", "integers",
-              "polished s / E, sing.", "greedy", "1e-3", "direct", "naive", "E/greedy", "E/1e-3", "E/naive", "t/greedy", "t/1e-3");
+              "polished s / E, sing.", "greedy", "1e-3", "direct", "naive", "E/greedy", "E/1e-3", "E/naive", "t/greedy",
+              "t/1e-3");
   bool valid = true;
-  for(std::size_t triangles : { std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(input.number_of_faces()) })
+  for(std::size_t triangles :
+      { std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(input.number_of_faces()) })
   {
     if(triangles > input.number_of_faces())
       continue;

@@ -8,14 +8,16 @@
 
 // Geodesic distances: time, windows and memory, exact and approximate, against CGAL's Surface_mesh_shortest_path.
 //
-//   bench_geodesics [--without-reference] [--repeat N] [--subdivide LEVELS] MESH...        default: meshes of CGAL's data folder
+//   bench_geodesics [--without-reference] [--repeat N] [--subdivide LEVELS] MESH...        default: meshes of CGAL's
+//   data folder
 //
-// Each mesh is measured from one vertex and from its sharp edges (dihedral angle above 40 degrees), and so is the mesh after
-// each of LEVELS one-to-four subdivisions. Times are processor times, and contain what the system does for the programs, as giving
-// out memory takes time. They are medians of N runs, in which the programs take turns; so are the ratios, how much longer CGAL's takes than
-// ours, with windows and without. Memory is what the heap holds more at the end of the first propagation than before it. Windows are counted on all
-// edges, after that. The columns v-only are for exact distances at the vertices, without windows kept, and `differ` is the largest
-// relative difference to CGAL's distances.
+// Each mesh is measured from one vertex and from its sharp edges (dihedral angle above 40 degrees), and so is the mesh
+// after each of LEVELS one-to-four subdivisions. Times are processor times, and contain what the system does for the
+// programs, as giving out memory takes time. They are medians of N runs, in which the programs take turns; so are the
+// ratios, how much longer CGAL's takes than ours, with windows and without. Memory is what the heap holds more at the
+// end of the first propagation than before it. Windows are counted on all edges, after that. The columns v-only are for
+// exact distances at the vertices, without windows kept, and `differ` is the largest relative difference to CGAL's
+// distances.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -41,7 +43,7 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Quad_meshing::Geodesic_distance_field<Mesh> Field;
-typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_path;
+typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> Shortest_path;
 
 namespace params = CGAL::parameters;
 
@@ -70,14 +72,14 @@ double median(std::vector<double> numbers)
   return numbers[numbers.size() / 2];
 }
 
-// Some ways to compute distances, each measured `repeat` times. They take turns, as the speed of a machine changes while others work on it.
+// Some ways to compute distances, each measured `repeat` times. They take turns, as the speed of a machine changes
+// while others work on it.
 class Comparison
 {
 public:
   typedef std::function<Measurement()> Way;
 
-  Comparison(int repeat, const std::vector<Way>& ways)
-    : m_seconds(ways.size())
+  Comparison(int repeat, const std::vector<Way>& ways) : m_seconds(ways.size())
   {
     for(const Way& way : ways)
       m_first.push_back(way());
@@ -102,7 +104,7 @@ public:
 
 private:
   std::vector<Measurement> m_first;
-  std::vector<std::vector<double> > m_seconds;
+  std::vector<std::vector<double>> m_seconds;
 };
 
 // Of the constructor and the propagation together, as CGAL's class has no separate set-up either.
@@ -193,11 +195,13 @@ int main(int argc, char* argv[])
       filenames.push_back(argv[i]);
   }
   if(filenames.empty())
-    for(const char* name : { "eight", "pinion", "holes", "elephant", "knot1", "cow", "dino", "anchor_dense", "fandisk", "armadillo" })
+    for(const char* name :
+        { "eight", "pinion", "holes", "elephant", "knot1", "cow", "dino", "anchor_dense", "fandisk", "armadillo" })
       filenames.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
 
-  std::printf("%-18s %8s %6s | %8s %5s %7s | %7s %7s | %7s %5s %7s | %7s %7s %6s %6s %8s %8s\n", "mesh", "faces", "source", "exact s", "w/e", "MB",
-              "v-only", "MB", "0.1% s", "w/e", "error", "CGAL s", "MB", "ratio", "v-only", "differ", "v-only");
+  std::printf("%-18s %8s %6s | %8s %5s %7s | %7s %7s | %7s %5s %7s | %7s %7s %6s %6s %8s %8s\n", "mesh", "faces",
+              "source", "exact s", "w/e", "MB", "v-only", "MB", "0.1% s", "w/e", "error", "CGAL s", "MB", "ratio",
+              "v-only", "differ", "v-only");
   for(const std::string& filename : filenames)
   {
     Mesh tm;
@@ -230,22 +234,30 @@ int main(int argc, char* argv[])
           else
             field.add_source(*tm.vertices().begin());
         };
-        const bool with_reference_here = with_reference && ! from_edges;
-        enum { EXACT, APPROXIMATE, AT_VERTICES, REFERENCE };
+        const bool with_reference_here = with_reference && !from_edges;
+        enum
+        {
+          EXACT,
+          APPROXIMATE,
+          AT_VERTICES,
+          REFERENCE
+        };
         std::vector<Comparison::Way> ways{ [&] { return measure(tm, add_sources, 0, true, exact); },
                                            [&] { return measure(tm, add_sources, 1e-3, true, approximate); },
                                            [&] { return measure(tm, add_sources, 0, false, at_vertices); } };
         if(with_reference_here)
           ways.push_back([&] { return measure_reference(tm, reference); });
         const Comparison c(repeat, ways);
-        std::printf("%-18s %8d %6s | %8.3f %5.2f %7.1f | %7.3f %7.1f | %7.3f %5.2f %7.1e", name.c_str(), int(tm.number_of_faces()),
-                    from_edges ? "edges" : "vertex", c.seconds(EXACT), c[EXACT].windows_per_edge, c[EXACT].megabytes,
-                    c.seconds(AT_VERTICES), c[AT_VERTICES].megabytes,
-                    c.seconds(APPROXIMATE), c[APPROXIMATE].windows_per_edge, largest_relative_difference(exact, approximate));
+        std::printf("%-18s %8d %6s | %8.3f %5.2f %7.1f | %7.3f %7.1f | %7.3f %5.2f %7.1e", name.c_str(),
+                    int(tm.number_of_faces()), from_edges ? "edges" : "vertex", c.seconds(EXACT),
+                    c[EXACT].windows_per_edge, c[EXACT].megabytes, c.seconds(AT_VERTICES), c[AT_VERTICES].megabytes,
+                    c.seconds(APPROXIMATE), c[APPROXIMATE].windows_per_edge,
+                    largest_relative_difference(exact, approximate));
         if(with_reference_here)
           std::printf(" | %7.3f %7.1f %6.1f %6.1f %8.1e %8.1e", c.seconds(REFERENCE), c[REFERENCE].megabytes,
                       c.ratio(REFERENCE, EXACT), c.ratio(REFERENCE, AT_VERTICES),
-                      largest_relative_difference(exact, reference), largest_relative_difference(at_vertices, reference));
+                      largest_relative_difference(exact, reference),
+                      largest_relative_difference(at_vertices, reference));
         std::printf("\n");
         std::fflush(stdout);
       }

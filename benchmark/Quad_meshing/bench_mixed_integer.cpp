@@ -90,26 +90,38 @@ void run(const std::string& name, const Problem& problem)
   }
   print("greedy", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)),
         factorization);
-  print("greedy, three levels", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-    .maximum_dense_integers(0)), factorization);
-  print("  tolerance 1e-3", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-    .maximum_dense_integers(0).rounding_tolerance(1e-3)), factorization);
+  print(
+    "greedy, three levels",
+    QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0)),
+    factorization);
+  print(
+    "  tolerance 1e-3",
+    QM::solve_mixed_integer(
+      problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)),
+    factorization);
   if(problem.number_of_integers() <= 1000)
   {
-    print("lattice within 1 s", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-      .maximum_number_of_nodes(1e8).maximum_running_time(1.)), factorization);
+    print(
+      "lattice within 1 s",
+      QM::solve_mixed_integer(
+        problem,
+        params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(1e8).maximum_running_time(1.)),
+      factorization);
     for(double nodes : { 1e6, 3e7, 1e9 })
     {
-      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-        .maximum_number_of_nodes(nodes).maximum_running_time(20.));
+      const Solution s = QM::solve_mixed_integer(
+        problem,
+        params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(nodes).maximum_running_time(20.));
       const std::string title = "lattice, " + std::to_string(static_cast<long>(nodes / 1e6)) + "e6 nodes";
       print(title.c_str(), s, factorization);
       if(s.status == QM::Mixed_integer_status::OPTIMAL)
         break;
     }
     if(problem.number_of_integers() <= most_relaxed_integers)
-      print("  and relaxation", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-        .number_of_bound_rounds(bound_rounds)), factorization);
+      print("  and relaxation",
+            QM::solve_mixed_integer(
+              problem, params::rounding_method(QM::Rounding_method::LATTICE).number_of_bound_rounds(bound_rounds)),
+            factorization);
   }
   std::printf("\n");
 }
@@ -130,8 +142,8 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
   print_cell(greedy);
   if(has_levels)
     print_cell(QM::solve_mixed_integer(
-        problem,
-        params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)));
+      problem,
+      params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)));
   else
     std::printf(" | %17s", "-");
   if(integers <= naive_limit)
@@ -143,13 +155,12 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
     const double factorization = factorization_seconds(problem);
     const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE));
     print_cell(s);
-    std::printf(" %9.3f %6.2f %% %-8s %8.4f %8.1f", s.lower_bound,
-                100. * (s.energy - s.lower_bound) / s.energy, QM::status_name(s.status), s.energy / greedy.energy,
-                s.seconds / factorization);
+    std::printf(" %9.3f %6.2f %% %-8s %8.4f %8.1f", s.lower_bound, 100. * (s.energy - s.lower_bound) / s.energy,
+                QM::status_name(s.status), s.energy / greedy.energy, s.seconds / factorization);
     if(s.status != QM::Mixed_integer_status::OPTIMAL && integers <= most_relaxed_integers)
     {
-      const Solution t = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-        .number_of_bound_rounds(bound_rounds));
+      const Solution t = QM::solve_mixed_integer(
+        problem, params::rounding_method(QM::Rounding_method::LATTICE).number_of_bound_rounds(bound_rounds));
       std::printf(" | %9.3f %6.2f %% %8.3f", t.lower_bound, 100. * (t.energy - t.lower_bound) / t.energy, t.seconds);
     }
   }
@@ -169,7 +180,7 @@ void print_tables(const std::string& name, const Mesh& tm, int naive_limit)
   std::printf("%s\n", name.c_str());
   print_header("Table 5.1: orientation fields");
   for(std::size_t triangles :
-      {std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(tm.number_of_faces())})
+      { std::size_t(200), std::size_t(1000), std::size_t(2000), std::size_t(tm.number_of_faces()) })
     if(triangles <= tm.number_of_faces())
     {
       const Mesh small = resized(tm, triangles);
@@ -217,7 +228,7 @@ void print_sizes(const std::string& name, const Mesh& tm)
     const double field_factorization = factorization_seconds(field);
     const Solution greedy = QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY));
     const Solution coarse =
-        QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY).rounding_tolerance(1e-3));
+      QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY).rounding_tolerance(1e-3));
     auto angle = sized.add_property_map<Mesh::Face_index, double>("f:polished", 0.).first;
     auto jump = sized.add_property_map<Mesh::Edge_index, int>("e:polished", 0).first;
     auto index = sized.add_property_map<Mesh::Vertex_index, int>("v:polished", 0).first;
@@ -255,8 +266,8 @@ void print_elimination_orders()
     std::printf("%9d %12d", problem.number_of_variables(), static_cast<int>(problem.equality_constraints().size()));
     for(QM::Elimination_order order : { QM::Elimination_order::FEWEST_COEFFICIENTS, QM::Elimination_order::AS_GIVEN })
     {
-      const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-                                                            .elimination_order(order));
+      const Solution s =
+        QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order));
       std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
       std::fflush(stdout);
     }

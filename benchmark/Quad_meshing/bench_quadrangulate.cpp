@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The whole line on real meshes, with one sparse Cholesky factorization of the parametrization's system as the yardstick, and
-// the shapes of Tables 5.2 and 8.1 of the thesis (Table 5.1 is printed by bench_fields).
+// The whole line on real meshes, with one sparse Cholesky factorization of the parametrization's system as the
+// yardstick, and the shapes of Tables 5.2 and 8.1 of the thesis (Table 5.1 is printed by bench_fields).
 //
 // bench_quadrangulate [MESH ...]     default: meshes of CGAL's data folder
 
@@ -78,8 +78,9 @@ void bench(const std::string& filename)
   QM::Quadrangulation_result r;
   std::unique_ptr<Quadrangulation> q;
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "bench_quadrangulate.obj";
-  const double total = seconds([&]
-  {
+  const double total = seconds(
+    [&]
+    {
     if(!QM::read_triangle_mesh(filename, tm))
       return;
     q = std::make_unique<Quadrangulation>(tm, tm.points());
@@ -96,20 +97,22 @@ void bench(const std::string& filename)
   }
   const QM::Mixed_integer_problem problem = parametrization_problem(q->surface(), r.target_edge_length);
   const Eigen::SparseMatrix<double> A = problem.matrix();
-  const double cholesky = seconds([&]
-  {
+  const double cholesky = seconds(
+    [&]
+    {
     QM::Sparse_cholesky<double> solver;
     solver.compute(A);
   });
   std::printf("%-18s %-9s %7zu triangles: from file to file %.2f s, one Cholesky factorization %.3f s, ratio %.1f\n",
               name.c_str(), QM::status_name(r.status), r.input_faces, total, cholesky, total / cholesky);
-  std::printf("  Table 8.1: field %7zu unknowns %6d integers %6.2f s | map %7d unknowns %4d integers %6.2f s | %d singularities %zu quads\n",
+  std::printf("  Table 8.1: field %7zu unknowns %6d integers %6.2f s | map %7d unknowns %4d integers %6.2f s | %d "
+              "singularities %zu quads\n",
               r.prepared_faces + r.field_integers, r.field_integers, r.field_seconds, static_cast<int>(A.rows()),
               problem.number_of_integers(), r.parameterization_seconds, r.singularities, r.quads);
   std::printf("  Table 5.2 (seconds relative to one factorization / energy):");
   for(QM::Rounding_method method :
-      {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
-       QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
+      { QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
+        QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE })
   {
     QM::Mixed_integer_solution s;
     const double t = seconds([&] { s = QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method)); });

@@ -7,8 +7,8 @@
 // Author(s)     : The Quad_meshing authors
 
 // The cost of the analysis, the smoothing, the optimization and the grid-preserving operators, beside what it costs to
-// copy the mesh into flat arrays; coarse layouts beside the removal of helices. Every random operator is checked: a pure quad
-// mesh of the same topology with the same number of irregular vertices of each valence.
+// copy the mesh into flat arrays; coarse layouts beside the removal of helices. Every random operator is checked: a
+// pure quad mesh of the same topology with the same number of irregular vertices of each valence.
 //
 //   bench_structure [number of random operators, default 90000] [seed, default 1]
 
@@ -43,7 +43,8 @@ double seconds(CGAL::Real_timer& timer)
 
 void analysis_and_smoothing()
 {
-  std::printf("%10s | %10s %10s %10s | %10s %18s\n", "quads", "copy s", "analysis s", "smooth s", "x copy", "analysis s/100k");
+  std::printf("%10s | %10s %10s %10s | %10s %18s\n", "quads", "copy s", "analysis s", "smooth s", "x copy",
+              "analysis s/100k");
   for(int n : { 26, 82, 129 })
   {
     SM::Mesh qm = SM::make_mesh(SM::sphere(n));
@@ -63,11 +64,13 @@ void analysis_and_smoothing()
 // Vertex by vertex, and all vertices at once.
 void smoothing()
 {
-  std::printf("\n%10s | %10s | %10s %10s %10s | %10s %10s %10s\n", "quads", "degrees", "sweeps", "degrees", "s", "steps", "degrees", "s");
+  std::printf("\n%10s | %10s | %10s %10s %10s | %10s %10s %10s\n", "quads", "degrees", "sweeps", "degrees", "s",
+              "steps", "degrees", "s");
   for(int n : { 13, 26, 52, 82 })
   {
     const SM::Mesh input = SM::make_mesh(SM::sphere(n));
-    std::printf("%10zu | %10.2f", std::size_t(input.number_of_faces()), QM::quad_mesh_quality(input).mean_angle_deviation);
+    std::printf("%10zu | %10.2f", std::size_t(input.number_of_faces()),
+                QM::quad_mesh_quality(input).mean_angle_deviation);
     for(bool globally : { false, true })
     {
       SM::Mesh qm = input;
@@ -84,11 +87,11 @@ void smoothing()
 SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
 {
   const SM::Quad_soup base = SM::sphere(2);
-  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<std::array<std::size_t, 3>> triangles;
   for(const auto& q : base.quads)
   {
-    triangles.push_back({{ q[0], q[1], q[2] }});
-    triangles.push_back({{ q[0], q[2], q[3] }});
+    triangles.push_back({ { q[0], q[1], q[2] } });
+    triangles.push_back({ { q[0], q[2], q[3] } });
   }
   SM::Quad_soup soup = SM::refined(SM::split_triangles(base.points, triangles), k);
   Flat_mesh m = QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh;
@@ -107,7 +110,7 @@ SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
   soup.points = m.points;
   soup.quads.clear();
   for(const std::array<int, 4>& c : m.corners)
-    soup.quads.push_back({{ std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2]), std::size_t(c[3]) }});
+    soup.quads.push_back({ { std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2]), std::size_t(c[3]) } });
   for(SM::Point_3& p : soup.points)
     p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length());
   return SM::make_mesh(soup);
@@ -115,8 +118,8 @@ SM::Mesh twisted_sphere(int k, int operators, unsigned int seed)
 
 void optimization()
 {
-  std::printf("\n%8s | %8s %8s %8s | %8s %8s %8s %8s %8s\n", "method", "quads", "patches", "helices", "quads", "patches",
-              "helices", "least SJ", "s");
+  std::printf("\n%8s | %8s %8s %8s | %8s %8s %8s %8s %8s\n", "method", "quads", "patches", "helices", "quads",
+              "patches", "helices", "least SJ", "s");
   for(int k : { 5, 10, 16 })
     for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
     {
@@ -128,16 +131,17 @@ void optimization()
       timer.start();
       const auto r = QM::optimize_quad_structure(qm, CGAL::parameters::structure_method(method));
       std::printf("%8s | %8zu %8zu %8zu | %8zu %8zu %8zu %8.2f %8.2f\n", layout ? "layout" : "helices",
-                  r.structure_before.number_of_quads, r.structure_before.number_of_patches, r.structure_before.number_of_helices,
-                  r.structure_after.number_of_quads, r.structure_after.number_of_patches, r.structure_after.number_of_helices,
+                  r.structure_before.number_of_quads, r.structure_before.number_of_patches,
+                  r.structure_before.number_of_helices, r.structure_after.number_of_quads,
+                  r.structure_after.number_of_patches, r.structure_after.number_of_helices,
                   r.smoothing.quality_after.minimal_scaled_jacobian, timer.time());
     }
 }
 
 bool random_operators(int wanted, unsigned int seed)
 {
-  const std::vector<SM::Quad_soup> soups = { SM::cube(8), SM::rolled(16, 12, 2, true), SM::rolled(16, 12, 1, false), SM::grid(12, 9),
-                                             SM::refined(SM::cube(2), 3) };
+  const std::vector<SM::Quad_soup> soups = { SM::cube(8), SM::rolled(16, 12, 2, true), SM::rolled(16, 12, 1, false),
+                                             SM::grid(12, 9), SM::refined(SM::cube(2), 3) };
   CGAL::Random random(seed);
   CGAL::Real_timer timer;
   timer.start();
@@ -172,9 +176,10 @@ bool random_operators(int wanted, unsigned int seed)
         continue;
       }
       const QM::Quad_mesh_structure after = QM::internal::structure_of_quad_mesh(result);
-      violations += after.inner_valences != before.inner_valences || after.boundary_valences != before.boundary_valences
-                 || after.euler_characteristic != before.euler_characteristic
-                 || after.number_of_boundary_loops != before.number_of_boundary_loops;
+      violations += after.inner_valences != before.inner_valences ||
+                    after.boundary_valences != before.boundary_valences ||
+                    after.euler_characteristic != before.euler_characteristic ||
+                    after.number_of_boundary_loops != before.number_of_boundary_loops;
       m = result.number_of_faces() * 3 < input.number_of_faces() ? input : std::move(result);
     }
   }

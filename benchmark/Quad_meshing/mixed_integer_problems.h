@@ -51,8 +51,9 @@ inline Problem make_map(int width, int integers)
   Problem problem(width * width);
   for(int k = 0; k < integers; ++k)
     problem.add_variable(true);
-  for_each_grid_edge(width, [&](int i, int j, bool is_down, Problem::Linear_form form)
-  {
+  for_each_grid_edge(width,
+                     [&](int i, int j, bool is_down, Problem::Linear_form form)
+                     {
     // Cut k crosses the edges of a row segment.
     const int cut = (i * integers) / width;
     if(is_down && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
@@ -103,7 +104,8 @@ inline Problem make_constrained_map(int width)
           for(int k = 0; k < nodes; ++k)
             problem.add_equality_constraint({ { side == 0 ? variable(a, b, tile, k) : variable(a, b, k, tile), 1. },
                                               { side == 0 ? variable(a + 1, b, 0, k) : variable(a, b + 1, k, 0), -1. },
-                                              { translation, -1. } }, 0.);
+                                              { translation, -1. } },
+                                            0.);
         }
     }
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
@@ -116,8 +118,9 @@ inline Problem make_field(int width)
   CGAL::Random random(2);
   const double quarter = 1.57079632679489661923;
   Problem problem(width * width);
-  for_each_grid_edge(width, [&](int, int j, bool is_down, Problem::Linear_form form)
-  {
+  for_each_grid_edge(width,
+                     [&](int, int j, bool is_down, Problem::Linear_form form)
+                     {
     const bool is_tree_edge = !is_down || j == 0;
     if(!is_tree_edge)
       form.emplace_back(problem.add_variable(true), quarter);

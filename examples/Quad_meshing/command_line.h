@@ -70,9 +70,9 @@ namespace command_line {
 // The exit codes of all programs.
 enum Exit_code
 {
-  done = 0,       // ran, and the result is valid
-  not_valid = 1,  // ran, but the result is not valid; the program says why
-  unusable = 2    // the arguments or the input cannot be used; one line says why
+  done = 0,      // ran, and the result is valid
+  not_valid = 1, // ran, but the result is not valid; the program says why
+  unusable = 2   // the arguments or the input cannot be used; one line says why
 };
 
 // Arguments or a file that cannot be used; what() is the line for the user.
@@ -157,7 +157,7 @@ public:
   bool parse(int argc, const char* const* argv)
   {
     po::options_description hidden;
-    hidden.add_options()("positional", po::value<std::vector<std::string> >());
+    hidden.add_options()("positional", po::value<std::vector<std::string>>());
     po::options_description all;
     all.add(m_options).add(hidden);
     po::positional_options_description positional;
@@ -166,8 +166,12 @@ public:
     // No guessing of abbreviated options: "--target" must not become "--target-quads" today and be
     // ambiguous tomorrow.
     namespace style = po::command_line_style;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                .style(style::unix_style & ~style::allow_guessing).run(), m_values);
+    po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(style::unix_style & ~style::allow_guessing)
+                .run(),
+              m_values);
     if(m_values.count("help"))
     {
       print_help(std::cout);
@@ -180,7 +184,7 @@ public:
     }
     po::notify(m_values);
     if(m_values.count("positional"))
-      m_positional = m_values["positional"].as<std::vector<std::string> >();
+      m_positional = m_values["positional"].as<std::vector<std::string>>();
 
     const auto required = static_cast<std::size_t>(
       std::count_if(m_names.begin(), m_names.end(), [](const std::string& name) { return name[0] != '['; }));
@@ -196,7 +200,9 @@ public:
     os << "usage: " << m_program;
     for(const std::string& name : m_names)
       os << " " << name;
-    os << " [options]\n" << m_purpose << "\n\n" << m_options << "\n"
+    os << " [options]\n"
+       << m_purpose << "\n\n"
+       << m_options << "\n"
        << "Exit code: 0 done and valid, 1 ran but the result is not valid, 2 unusable arguments or input.\n";
   }
 
@@ -207,7 +213,10 @@ public:
 
   // The value of an option that the user gave or that has a default value.
   template <typename T>
-  const T& value(const std::string& option) const { return m_values[option].template as<T>(); }
+  const T& value(const std::string& option) const
+  {
+    return m_values[option].template as<T>();
+  }
 
   // The same for a number that must be finite and lie in [low, high].
   double number(const std::string& option, double low, double high) const
@@ -306,7 +315,7 @@ template <typename Point>
 void read_soup(const std::string& filename, std::vector<Point>& points, std::vector<std::vector<std::size_t>>& polygons)
 {
   const CGAL::Quad_meshing::Mesh_reading_result result =
-      CGAL::Quad_meshing::read_polygon_soup(filename, points, polygons);
+    CGAL::Quad_meshing::read_polygon_soup(filename, points, polygons);
   if(!result)
     throw Unusable_input(filename + ": " + result.message);
 }
@@ -359,9 +368,9 @@ void write_mesh(const std::string& filename, const Mesh& mesh)
   check_mesh_output(filename);
   std::ofstream out = open_output(filename);
   const auto np = CGAL::parameters::stream_precision(17);
-  const bool written = extension == "off" ? CGAL::IO::write_OFF(out, mesh, np)
-                     : extension == "obj" ? CGAL::IO::write_OBJ(out, mesh, np)
-                                          : CGAL::IO::write_PLY(out, mesh, np);
+  const bool written = extension == "off"   ? CGAL::IO::write_OFF(out, mesh, np)
+                       : extension == "obj" ? CGAL::IO::write_OBJ(out, mesh, np)
+                                            : CGAL::IO::write_PLY(out, mesh, np);
   out.close();
   if(!written || !out)
     throw Unusable_input(filename + ": writing failed");

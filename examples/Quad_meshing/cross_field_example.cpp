@@ -38,7 +38,8 @@ int main(int argc, char* argv[])
   Mesh tm;
   if(!CGAL::IO::read_polygon_mesh(filename, tm) || !(quads > 0))
   {
-    std::cerr << "cross_field_example: cannot read " << filename << " or the number of quads is not positive" << std::endl;
+    std::cerr << "cross_field_example: cannot read " << filename << " or the number of quads is not positive"
+              << std::endl;
     return 2;
   }
 
@@ -46,7 +47,7 @@ int main(int argc, char* argv[])
   auto period_jump = tm.add_property_map<Mesh::Edge_index, int>("e:period_jump").first;
   auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index").first;
   auto sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
-  auto direction = tm.add_property_map<Mesh::Face_index, std::optional<Kernel::Vector_3> >("f:direction").first;
+  auto direction = tm.add_property_map<Mesh::Face_index, std::optional<Kernel::Vector_3>>("f:direction").first;
 
   const double length = QM::edge_length_for_number_of_quads(tm, quads);
   CGAL::Polygon_mesh_processing::detect_sharp_edges(tm, 40, sharp);
@@ -55,8 +56,9 @@ int main(int argc, char* argv[])
   const QM::Cross_field_result result = QM::smooth_cross_field(
     tm, angle, period_jump, index,
     params::target_edge_length(length).face_direction_map(direction).edge_is_constrained_map(sharp));
-  std::cout << result.message << "\n" << salient << " faces with salient directions, energy " << result.energy << ", "
-            << result.seconds << " s" << std::endl;
+  std::cout << result.message << "\n"
+            << salient << " faces with salient directions, energy " << result.energy << ", " << result.seconds << " s"
+            << std::endl;
 
   std::map<int, int> count;
   for(Mesh::Vertex_index v : tm.vertices())

@@ -23,7 +23,7 @@
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef std::pair<Mesh::Face_index, std::array<double, 3> > Face_location;
+typedef std::pair<Mesh::Face_index, std::array<double, 3>> Face_location;
 
 namespace QM = CGAL::Quad_meshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -38,9 +38,9 @@ int main(int argc, char* argv[])
   }
 
   Mesh cube;
-  CGAL::make_hexahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0), Kernel::Point_3(0, 1, 0),
-                        Kernel::Point_3(0, 1, 1), Kernel::Point_3(0, 0, 1), Kernel::Point_3(1, 0, 1), Kernel::Point_3(1, 1, 1),
-                        cube);
+  CGAL::make_hexahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
+                        Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 1, 1), Kernel::Point_3(0, 0, 1),
+                        Kernel::Point_3(1, 0, 1), Kernel::Point_3(1, 1, 1), cube);
   PMP::triangulate_faces(cube);
 
   // The chart of a face drops the coordinate along its normal. For normals that point to the negative
@@ -62,13 +62,14 @@ int main(int argc, char* argv[])
 
   Mesh quads;
   auto location = quads.add_property_map<Mesh::Vertex_index, Face_location>("v:location").first;
-  const QM::Quad_extraction_result result
-    = QM::extract_quad_mesh(cube, uv, quads, CGAL::parameters::face_location_map(location));
+  const QM::Quad_extraction_result result =
+    QM::extract_quad_mesh(cube, uv, quads, CGAL::parameters::face_location_map(location));
 
   std::cout << result.message << std::endl;
   for(Mesh::Vertex_index v : quads.vertices())
     if(quads.degree(v) != 4)
-      std::cout << "valence " << quads.degree(v) << " at " << quads.point(v) << ", in face " << location[v].first << std::endl;
+      std::cout << "valence " << quads.degree(v) << " at " << quads.point(v) << ", in face " << location[v].first
+                << std::endl;
   if(argc > 2 && !CGAL::IO::write_polygon_mesh(argv[2], quads))
   {
     std::cerr << "extract_example: cannot write " << argv[2] << std::endl;

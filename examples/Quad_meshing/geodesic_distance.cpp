@@ -42,12 +42,12 @@ using command_line::Unusable_input;
 namespace {
 
 // Points in a file: x y z in each line; an empty line ends a polyline; '#' begins a comment.
-std::vector<std::vector<Point_3> > read_polylines(const std::string& filename)
+std::vector<std::vector<Point_3>> read_polylines(const std::string& filename)
 {
   std::ifstream in(filename);
   if(!in)
     throw Unusable_input(filename + ": cannot be opened");
-  std::vector<std::vector<Point_3> > polylines(1);
+  std::vector<std::vector<Point_3>> polylines(1);
   std::string line;
   for(std::size_t n = 1; std::getline(in, line); ++n)
   {
@@ -78,7 +78,7 @@ std::vector<std::vector<Point_3> > read_polylines(const std::string& filename)
 class Locator
 {
   typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  typedef CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive> > Tree;
+  typedef CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive>> Tree;
 
   const Mesh& m_tm;
   Tree m_tree;
@@ -90,10 +90,10 @@ public:
   {
     const auto found = m_tree.closest_point_and_primitive(query);
     const auto h = m_tm.halfedge(found.second);
-    const std::array<Point_3, 3> t = {{ m_tm.point(m_tm.source(h)), m_tm.point(m_tm.target(h)),
-                                        m_tm.point(m_tm.target(m_tm.next(h))) }};
+    const std::array<Point_3, 3> t = { { m_tm.point(m_tm.source(h)), m_tm.point(m_tm.target(h)),
+                                         m_tm.point(m_tm.target(m_tm.next(h))) } };
     const Kernel::Vector_3 n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-    std::array<double, 3> w = {{ 0, 0, 0 }};
+    std::array<double, 3> w = { { 0, 0, 0 } };
     double sum = 0;
     for(int k = 0; k < 3; ++k)
     {
@@ -149,7 +149,7 @@ void join(const Mesh& tm, Field& field, const Location& from, const Location& to
 // The vertices of the mesh that stand for each vertex of the file: none if no face has it, several if it was split.
 class File_vertices
 {
-  std::vector<std::vector<Mesh::Vertex_index> > m_vertices;
+  std::vector<std::vector<Mesh::Vertex_index>> m_vertices;
 
 public:
   explicit File_vertices(const QM::File_numbers& numbers) : m_vertices(numbers.file_size())
@@ -219,7 +219,8 @@ void add_sharp_edges(double angle, Mesh& tm, Field& field)
 
 // Writes the distance of each vertex of the file, one in each line, and inf for those without a face.
 template <typename DistanceMap>
-void write_distances_of_file(const std::string& filename, const File_vertices& file_vertices, const DistanceMap& distance)
+void write_distances_of_file(const std::string& filename, const File_vertices& file_vertices,
+                             const DistanceMap& distance)
 {
   std::ofstream os = command_line::open_output(filename);
   for(std::size_t v = 0; v < file_vertices.size(); ++v)
@@ -255,7 +256,8 @@ void write_enclosures(const std::string& filename, const File_vertices& file_ver
 }
 
 // Writes a mesh with the vertex property 'distance'.
-void write_distances(const std::string& filename, const Mesh& tm, const std::function<double(Mesh::Vertex_index)>& distance)
+void write_distances(const std::string& filename, const Mesh& tm,
+                     const std::function<double(Mesh::Vertex_index)>& distance)
 {
   std::ofstream os = command_line::open_output(filename);
   os << "ply\nformat ascii 1.0\ncomment geodesic distances\nelement vertex " << tm.number_of_vertices()
@@ -277,12 +279,14 @@ void write_distances(const std::string& filename, const Mesh& tm, const std::fun
 
 // Writes the isolines of all multiples of `spacing`, each as points in lines and an empty line. Returns their number.
 template <typename DistanceMap>
-std::size_t write_isolines(const std::string& filename, const Mesh& tm, const DistanceMap& distances, double spacing, double maximum)
+std::size_t write_isolines(const std::string& filename, const Mesh& tm, const DistanceMap& distances, double spacing,
+                           double maximum)
 {
   const double most_values = 1e6;
   if(maximum > most_values * spacing)
-    throw Unusable_input("--isolines: more than a million lines up to the largest distance, " + std::to_string(maximum));
-  std::vector<std::vector<Point_3> > polylines;
+    throw Unusable_input("--isolines: more than a million lines up to the largest distance, " +
+                         std::to_string(maximum));
+  std::vector<std::vector<Point_3>> polylines;
   for(double k = 1; k * spacing < maximum; ++k)
     QM::trace_isolines(tm, distances, k * spacing, std::back_inserter(polylines));
   std::ofstream os = command_line::open_output(filename);
@@ -306,26 +310,31 @@ std::string status_word(QM::Geodesic_distance_status status, std::size_t unreach
 int distances(int argc, char* argv[])
 {
   po::options_description options("Options");
-  options.add_options()
-    ("vertices", po::value<std::string>(), "source vertices in the numbers of IN, as 0,17,4")
-    ("points", po::value<std::string>(), "file with source points, x y z in each line, projected to the surface")
-    ("polyline", po::value<std::string>(), "file with source polylines, a point in each line, consecutive points are joined "
-                                           "by the shortest curve on the surface; an empty line begins a new one")
-    ("boundary", "the boundary is a source")
-    ("sharp-edges", po::value<double>(), "the edges with a dihedral angle above this one (degrees) are a source")
-    ("epsilon", po::value<double>()->default_value(0), "relative error allowed, 0 for exact distances")
-    ("certified", "enclose each distance in an interval that is guaranteed to contain it, and write the intervals")
-    ("enclosures-out", po::value<std::string>(), "file for the intervals, the lower and the upper bound of each vertex in a line; default: OUT.enclosures.txt")
-    ("vertices-only", "keep no windows: less time and memory, for distances alone")
-    ("refine", po::value<double>(), "refine the mesh until linear interpolation of the distance is good to this length "
-                                    "(OUT must be .ply)")
-    ("isolines", po::value<double>(), "write the isolines of all multiples of this distance as polylines, on the refined mesh if there is one")
-    ("isolines-out", po::value<std::string>(), "file for the isolines; default: OUT.isolines.txt")
-    ("paths-from", po::value<std::string>(), "file with points from which shortest paths are traced")
-    ("paths-out", po::value<std::string>(), "file for these paths as polylines; default: OUT.paths.txt")
-    ("json", po::value<std::string>(), "file for the figures");
-  command_line::Arguments args("geodesic_distance", "Computes the geodesic distance from sources on a triangle mesh. OUT is a .txt file with one "
-                               "distance per vertex of IN, inf for those without a face, or a .ply mesh with the vertex property 'distance'.", { "IN", "OUT" }, options);
+  options.add_options()("vertices", po::value<std::string>(), "source vertices in the numbers of IN, as 0,17,4")(
+    "points", po::value<std::string>(), "file with source points, x y z in each line, projected to the surface")(
+    "polyline", po::value<std::string>(),
+    "file with source polylines, a point in each line, consecutive points are joined "
+    "by the shortest curve on the surface; an empty line begins a new one")("boundary", "the boundary is a source")(
+    "sharp-edges", po::value<double>(), "the edges with a dihedral angle above this one (degrees) are a source")(
+    "epsilon", po::value<double>()->default_value(0), "relative error allowed, 0 for exact distances")(
+    "certified", "enclose each distance in an interval that is guaranteed to contain it, and write the intervals")(
+    "enclosures-out", po::value<std::string>(),
+    "file for the intervals, the lower and the upper bound of each vertex in a line; default: OUT.enclosures.txt")(
+    "vertices-only", "keep no windows: less time and memory, for distances alone")(
+    "refine", po::value<double>(),
+    "refine the mesh until linear interpolation of the distance is good to this length "
+    "(OUT must be .ply)")(
+    "isolines", po::value<double>(),
+    "write the isolines of all multiples of this distance as polylines, on the refined mesh if there is one")(
+    "isolines-out", po::value<std::string>(), "file for the isolines; default: OUT.isolines.txt")(
+    "paths-from", po::value<std::string>(), "file with points from which shortest paths are traced")(
+    "paths-out", po::value<std::string>(), "file for these paths as polylines; default: OUT.paths.txt")(
+    "json", po::value<std::string>(), "file for the figures");
+  command_line::Arguments args(
+    "geodesic_distance",
+    "Computes the geodesic distance from sources on a triangle mesh. OUT is a .txt file with one "
+    "distance per vertex of IN, inf for those without a face, or a .ply mesh with the vertex property 'distance'.",
+    { "IN", "OUT" }, options);
   if(!args.parse(argc, argv))
     return command_line::done;
   const double epsilon = args.number("epsilon", 0, 1);
@@ -372,8 +381,8 @@ int distances(int argc, char* argv[])
   const double setup_seconds = timer.time() - reading_seconds;
 
   command_line::Progress_bar progress_bar;
-  const QM::Geodesic_distance_result result =
-    field.propagate(params::relative_distance_error(epsilon).keep_windows(!vertices_only).visitor(std::ref(progress_bar)));
+  const QM::Geodesic_distance_result result = field.propagate(
+    params::relative_distance_error(epsilon).keep_windows(!vertices_only).visitor(std::ref(progress_bar)));
   if(!result)
     throw Unusable_input(args.positional(0) + ": " + result.message);
 
@@ -391,19 +400,22 @@ int distances(int argc, char* argv[])
   json.set("unreached_vertices", result.number_of_unreached_vertices);
   json.set("maximum_distance", result.maximum_distance);
   using command_line::count_of;
-  std::cout << count_of(tm.number_of_faces(), "face", "faces") << ", " << count_of(field.number_of_sources(), "source", "sources")
-            << ", " << count_of(number_of_windows, "window", "windows") << ", largest distance " << result.maximum_distance << ", "
-            << count_of(result.number_of_unreached_vertices, "vertex", "vertices") << " unreached, " << result.seconds << " s\n";
+  std::cout << count_of(tm.number_of_faces(), "face", "faces") << ", "
+            << count_of(field.number_of_sources(), "source", "sources") << ", "
+            << count_of(number_of_windows, "window", "windows") << ", largest distance " << result.maximum_distance
+            << ", " << count_of(result.number_of_unreached_vertices, "vertex", "vertices") << " unreached, "
+            << result.seconds << " s\n";
 
   bool is_valid = true;
   if(args.has("certified"))
   {
-    auto enclosures = tm.add_property_map<Mesh::Vertex_index, CGAL::Interval_nt<> >("v:enclosure").first;
-    const QM::Distance_certificate certificate = QM::certify_distances(field, enclosures, params::visitor(std::ref(progress_bar)));
-    write_enclosures(args.has("enclosures-out") ? args.value<std::string>("enclosures-out") : out + ".enclosures.txt", file_vertices,
-                     enclosures);
-    std::cout << "the distances are certain up to " << certificate.largest_width << ", relative to the distance " << certificate.largest_relative_width
-              << "\n";
+    auto enclosures = tm.add_property_map<Mesh::Vertex_index, CGAL::Interval_nt<>>("v:enclosure").first;
+    const QM::Distance_certificate certificate =
+      QM::certify_distances(field, enclosures, params::visitor(std::ref(progress_bar)));
+    write_enclosures(args.has("enclosures-out") ? args.value<std::string>("enclosures-out") : out + ".enclosures.txt",
+                     file_vertices, enclosures);
+    std::cout << "the distances are certain up to " << certificate.largest_width << ", relative to the distance "
+              << certificate.largest_relative_width << "\n";
     json.set("enclosure_width", certificate.largest_relative_width);
     json.set("largest_enclosure_width", certificate.largest_width);
   }
@@ -430,7 +442,8 @@ int distances(int argc, char* argv[])
     distance = refined.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
     const QM::Distance_refinement_result r =
       QM::refine_distance_field(field, refined, distance, args.value<double>("refine"));
-    std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with " << count_of(r.number_of_faces, "face", "faces") << "\n";
+    std::cout << "interpolation error " << r.initial_error << " refined to " << r.error << " with "
+              << count_of(r.number_of_faces, "face", "faces") << "\n";
     json.set("interpolation_error", r.error);
     json.set("refined_faces", r.number_of_faces);
     is_valid = is_valid && r;
@@ -446,8 +459,10 @@ int distances(int argc, char* argv[])
     write_distances_of_file(out, file_vertices, distance);
   if(args.has("isolines"))
   {
-    const std::string filename = args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";
-    json.set("isolines", write_isolines(filename, *result_mesh, distance, args.value<double>("isolines"), result.maximum_distance));
+    const std::string filename =
+      args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";
+    json.set("isolines",
+             write_isolines(filename, *result_mesh, distance, args.value<double>("isolines"), result.maximum_distance));
   }
 
   json.set("total_seconds", timer.time());

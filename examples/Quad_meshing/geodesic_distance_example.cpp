@@ -45,7 +45,8 @@ int main(int argc, char* argv[])
   Field field(tm);
   field.add_edges_source(sharp_edges);
   const auto result = field.propagate();
-  std::cout << result.message << " The point farthest from sharp edges is " << result.maximum_distance << " away." << std::endl;
+  std::cout << result.message << " The point farthest from sharp edges is " << result.maximum_distance << " away."
+            << std::endl;
   if(!result)
     return EXIT_FAILURE;
 

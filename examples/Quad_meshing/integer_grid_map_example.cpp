@@ -51,18 +51,17 @@ int main(int argc, char* argv[])
   auto period_jump = tm.add_property_map<Mesh::Edge_index, int>("e:period_jump", 0).first;
   auto index = tm.add_property_map<Mesh::Vertex_index, int>("v:index", 0).first;
   const QM::Cross_field_result field = QM::smooth_cross_field(
-    tm, angle, period_jump, index,
-    CGAL::parameters::target_edge_length(length).edge_is_constrained_map(is_feature));
+    tm, angle, period_jump, index, CGAL::parameters::target_edge_length(length).edge_is_constrained_map(is_feature));
   std::cout << field.message << " It has " << field.singularities << " singular vertices." << std::endl;
   if(!field.is_valid())
     return EXIT_FAILURE;
 
   auto uv = tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  const QM::Integer_grid_map_result map = QM::integer_grid_map(
-    tm, angle, period_jump, index, uv,
-    CGAL::parameters::target_edge_length(length).edge_is_constrained_map(is_feature));
-  std::cout << map.message << " Energy " << map.relaxed_energy << " without, " << map.energy << " with "
-            << map.integers << " integers." << std::endl;
+  const QM::Integer_grid_map_result map =
+    QM::integer_grid_map(tm, angle, period_jump, index, uv,
+                         CGAL::parameters::target_edge_length(length).edge_is_constrained_map(is_feature));
+  std::cout << map.message << " Energy " << map.relaxed_energy << " without, " << map.energy << " with " << map.integers
+            << " integers." << std::endl;
 
   const auto report = QM::is_integer_grid_map(tm, uv, CGAL::parameters::edge_is_constrained_map(is_feature));
   std::cout << report.message() << std::endl;

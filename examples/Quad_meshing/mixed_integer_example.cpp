@@ -30,10 +30,10 @@ int main()
   problem.add_equality_constraint({ { n - 1, 1. }, { 0, -1. } }, 10.);
 
   for(QM::Rounding_method method :
-      {QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
+      { QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE })
   {
-    const QM::Mixed_integer_solution solution
-      = QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method));
+    const QM::Mixed_integer_solution solution =
+      QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method));
     if(!solution.is_valid())
     {
       std::cerr << solution.message << std::endl;

@@ -36,7 +36,7 @@ namespace {
 Mesh read_quad_mesh(const std::string& filename)
 {
   std::vector<Point_3> points;
-  std::vector<std::vector<std::size_t> > polygons;
+  std::vector<std::vector<std::size_t>> polygons;
   command_line::read_soup(filename, points, polygons);
   const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
   if(!defects.is_pure_quad_mesh())
@@ -49,7 +49,8 @@ Mesh read_quad_mesh(const std::string& filename)
 // Marks the edges of a quad mesh that follow marked edges of its reference. An edge is a chord of what it follows, so
 // its inner points may lie farther away than its ends.
 template <typename SharpEdges>
-void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& is_sharp_in_reference, SharpEdges is_sharp)
+void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& is_sharp_in_reference,
+                             SharpEdges is_sharp)
 {
   // Distances as parts of the length of the edge, of its ends and of the points in between.
   constexpr double end_distance = 0.15, inner_distance = 0.3;
@@ -61,7 +62,8 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
       segments.emplace_back(tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1)));
   if(segments.empty())
     return;
-  const CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive> > tree(segments.begin(), segments.end());
+  const CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive>> tree(segments.begin(),
+                                                                                           segments.end());
   for(Mesh::Edge_index e : qm.edges())
   {
     const Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));
@@ -81,8 +83,10 @@ std::size_t detect_sharp_edges(const Mesh& qm, double sharp_angle, double edge_l
 {
   Mesh triangles = qm; // its vertices keep their numbers
   PMP::triangulate_faces(triangles);
-  auto is_sharp_triangle_edge = triangles.add_property_map<Mesh::Edge_index, bool>("e:is_sharp_triangle_edge", false).first;
-  const QM::Feature_edges_result found = QM::detect_feature_edges(triangles, sharp_angle, edge_length, is_sharp_triangle_edge);
+  auto is_sharp_triangle_edge =
+    triangles.add_property_map<Mesh::Edge_index, bool>("e:is_sharp_triangle_edge", false).first;
+  const QM::Feature_edges_result found =
+    QM::detect_feature_edges(triangles, sharp_angle, edge_length, is_sharp_triangle_edge);
   for(Mesh::Edge_index e : qm.edges())
     is_sharp[e] = is_sharp_triangle_edge[triangles.edge(triangles.halfedge(qm.vertex(e, 0), qm.vertex(e, 1)))];
   return found.number_of_dropped_edges;
@@ -92,21 +96,26 @@ std::size_t detect_sharp_edges(const Mesh& qm, double sharp_angle, double edge_l
 
 int main(int argc, char* argv[])
 {
-  return command_line::run("optimize_quad_structure", [&]
-  {
+  return command_line::run("optimize_quad_structure",
+                           [&]
+                           {
     po::options_description options("Options");
-    options.add_options()
-      ("reference", po::value<std::string>(), "triangle mesh that the result is smoothed on (default: the surface of IN)")
-      ("method", po::value<std::string>()->default_value("layout"), "layout: search a coarse layout and multiply its dual curves; helices: remove helices one by one")
-      ("iterations", po::value<long long>()->default_value(10000), "number of layouts that are tried")
-      ("merge-singularities", "allow irregular vertices to be merged with each other and moved onto sharp edges")
-      ("collapse-loops", "collapse all dual curves that can be collapsed, at the end")
-      ("sharp-angle", po::value<double>()->default_value(40), "edges with a larger angle between normals are kept, those of the reference if there is one (degrees; 180 = none)")
-      ("target-quads", po::value<long long>()->default_value(0), "largest number of quads (0 = as many as IN; 1 = the layout itself)")
-      ("target-patches", po::value<long long>()->default_value(0), "largest size of the base complex (0 = no target)")
-      ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
+    options.add_options()("reference", po::value<std::string>(),
+                          "triangle mesh that the result is smoothed on (default: the surface of IN)")(
+      "method", po::value<std::string>()->default_value("layout"),
+      "layout: search a coarse layout and multiply its dual curves; helices: remove helices one by one")(
+      "iterations", po::value<long long>()->default_value(10000), "number of layouts that are tried")(
+      "merge-singularities", "allow irregular vertices to be merged with each other and moved onto sharp edges")(
+      "collapse-loops", "collapse all dual curves that can be collapsed, at the end")(
+      "sharp-angle", po::value<double>()->default_value(40),
+      "edges with a larger angle between normals are kept, those of the reference if there is one (degrees; 180 = "
+      "none)")("target-quads", po::value<long long>()->default_value(0),
+               "largest number of quads (0 = as many as IN; 1 = the layout itself)")(
+      "target-patches", po::value<long long>()->default_value(0), "largest size of the base complex (0 = no target)")(
+      "json", po::value<std::string>(), "file for the figures as one flat JSON object");
     command_line::Arguments args("optimize_quad_structure",
-                                 "makes the base complex of the quad mesh IN coarser and writes OUT", { "IN", "OUT" }, options);
+                                 "makes the base complex of the quad mesh IN coarser and writes OUT", { "IN", "OUT" },
+                                 options);
     if(!args.parse(argc, argv))
       return static_cast<int>(command_line::done);
     const double sharp_angle = args.number("sharp-angle", 0, 180);
@@ -115,7 +124,8 @@ int main(int argc, char* argv[])
     const long long number_of_quads = args.whole_number("target-quads", 0, most);
     const long long number_of_patches = args.whole_number("target-patches", 0, most);
     const QM::Structure_method method = args.choice("method", { "layout", "helices" }) == 0
-                                        ? QM::Structure_method::LAYOUT : QM::Structure_method::HELICES;
+                                          ? QM::Structure_method::LAYOUT
+                                          : QM::Structure_method::HELICES;
     Mesh qm = read_quad_mesh(args.positional(0));
     command_line::check_mesh_output(args.positional(1));
     auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
@@ -148,9 +158,10 @@ int main(int argc, char* argv[])
                       .target_number_of_patches(static_cast<std::size_t>(number_of_patches))
                       .edge_is_constrained_map(is_sharp)
                       .visitor(std::ref(progress));
-    const QM::Quad_structure_optimization_result result = args.has("reference")
-      ? QM::optimize_quad_structure(qm, tm, np, CGAL::parameters::edge_is_constrained_map(is_sharp_in_reference))
-      : QM::optimize_quad_structure(qm, np);
+    const QM::Quad_structure_optimization_result result =
+      args.has("reference")
+        ? QM::optimize_quad_structure(qm, tm, np, CGAL::parameters::edge_is_constrained_map(is_sharp_in_reference))
+        : QM::optimize_quad_structure(qm, np);
 
     command_line::write_mesh(args.positional(1), qm);
     const std::size_t inverted = result.smoothing.quality_after.number_of_inverted_quads;
@@ -160,9 +171,10 @@ int main(int argc, char* argv[])
       std::cout << result.message << std::endl;
     if(!valid)
       std::cerr << "optimize_quad_structure: "
-                << (is_optimized ? "number of quads of the result that are not convex: " + std::to_string(inverted)
-                                   + ", of the input: " + std::to_string(inverted_before)
-                                 : result.message) << std::endl;
+                << (is_optimized ? "number of quads of the result that are not convex: " + std::to_string(inverted) +
+                                     ", of the input: " + std::to_string(inverted_before)
+                                 : result.message)
+                << std::endl;
 
     const QM::Quad_mesh_structure &before = result.structure_before, &after = result.structure_after;
     QM::Flat_json json;

@@ -69,9 +69,10 @@ std::string histogram(const std::array<std::size_t, N>& counts)
 
 const char* name_of(QM::Quad_mesh_class c)
 {
-  return c == QM::Quad_mesh_class::REGULAR ? "regular"
-       : c == QM::Quad_mesh_class::SEMI_REGULAR ? "semi-regular"
-       : c == QM::Quad_mesh_class::VALENCE_SEMI_REGULAR ? "valence semi-regular" : "unstructured";
+  return c == QM::Quad_mesh_class::REGULAR                ? "regular"
+         : c == QM::Quad_mesh_class::SEMI_REGULAR         ? "semi-regular"
+         : c == QM::Quad_mesh_class::VALENCE_SEMI_REGULAR ? "valence semi-regular"
+                                                          : "unstructured";
 }
 
 void report_structure(const Mesh& qm, Report& r)
@@ -168,14 +169,16 @@ void report_deviation(const Mesh& qm, const std::string& filename, double sharp_
 
 int main(int argc, char* argv[])
 {
-  return command_line::run("quad_mesh_statistics", [&]
-  {
+  return command_line::run("quad_mesh_statistics",
+                           [&]
+                           {
     po::options_description options("Options");
-    options.add_options()
-      ("reference", po::value<std::string>(), "triangle mesh that the quad mesh stands for: adds distances and kept features")
-      ("sharp-angle", po::value<double>()->default_value(40), "edges of the reference with a larger angle between normals are sharp (degrees)")
-      ("worst", po::value<long long>()->default_value(10), "number of worst quads to list")
-      ("json", po::value<std::string>(), "file for the figures as one flat JSON object");
+    options.add_options()("reference", po::value<std::string>(),
+                          "triangle mesh that the quad mesh stands for: adds distances and kept features")(
+      "sharp-angle", po::value<double>()->default_value(40),
+      "edges of the reference with a larger angle between normals are sharp (degrees)")(
+      "worst", po::value<long long>()->default_value(10), "number of worst quads to list")(
+      "json", po::value<std::string>(), "file for the figures as one flat JSON object");
     command_line::Arguments args("quad_mesh_statistics", "measures the quad mesh IN", { "IN" }, options);
     if(!args.parse(argc, argv))
       return static_cast<int>(command_line::done);
@@ -184,7 +187,7 @@ int main(int argc, char* argv[])
     const int number_of_worst = static_cast<int>(args.whole_number("worst", 0, (std::numeric_limits<int>::max)()));
 
     std::vector<Point_3> points;
-    std::vector<std::vector<std::size_t> > polygons;
+    std::vector<std::vector<std::size_t>> polygons;
     command_line::read_soup(filename, points, polygons);
     if(polygons.empty())
       throw command_line::Unusable_input(filename + ": has no faces");

@@ -96,29 +96,35 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
 
 int main(int argc, char* argv[])
 {
-  return command_line::run("quadrangulate", [&]
-  {
+  return command_line::run("quadrangulate",
+                           [&]
+                           {
     po::options_description options("Options");
-    options.add_options()
-      ("target-edge-length", po::value<double>(), "length of the quad edges, in the unit of the input")
-      ("target-quads", po::value<double>()->default_value(4000), "number of quads, where no edge length is given")
-      ("sharp-angle", po::value<double>()->default_value(40),
-       "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")
-      ("align-boundary", po::value<std::string>()->default_value("on"), "on or off: make the boundary a chain of quad edges")
-      ("field", po::value<std::string>()->default_value("polished"),
-       "representation, greedy or polished: how the singularities of the cross field are found")
-      ("curvature-alignment", po::value<double>()->default_value(1),
-       "0 to 1: how much quads follow the directions in which the surface bends least")
-      ("rounding", po::value<std::string>()->default_value("greedy"), "direct, greedy or lattice: how integers are found")
-      ("optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")
-      ("seed", po::value<long long>()->default_value(0),
-       "seed of the edge lengths that are tried when the given one allows no valid map")
-      ("threads", po::value<long long>()->default_value(1), "how many threads may work at the same time; the result is the same")
-      ("time-limit", po::value<double>(), "seconds after which the best mesh so far is written")
-      ("save-field", po::value<std::string>(), "file for the cross field: x y z of a centroid and of a direction per line")
-      ("save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")
-      ("json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
-    command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" }, options);
+    options.add_options()("target-edge-length", po::value<double>(),
+                          "length of the quad edges, in the unit of the input")(
+      "target-quads", po::value<double>()->default_value(4000), "number of quads, where no edge length is given")(
+      "sharp-angle", po::value<double>()->default_value(40),
+      "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")(
+      "align-boundary", po::value<std::string>()->default_value("on"),
+      "on or off: make the boundary a chain of quad edges")(
+      "field", po::value<std::string>()->default_value("polished"),
+      "representation, greedy or polished: how the singularities of the cross field are found")(
+      "curvature-alignment", po::value<double>()->default_value(1),
+      "0 to 1: how much quads follow the directions in which the surface bends least")(
+      "rounding", po::value<std::string>()->default_value("greedy"),
+      "direct, greedy or lattice: how integers are found")(
+      "optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")(
+      "seed", po::value<long long>()->default_value(0),
+      "seed of the edge lengths that are tried when the given one allows no valid map")(
+      "threads", po::value<long long>()->default_value(1),
+      "how many threads may work at the same time; the result is the same")(
+      "time-limit", po::value<double>(), "seconds after which the best mesh so far is written")(
+      "save-field", po::value<std::string>(),
+      "file for the cross field: x y z of a centroid and of a direction per line")(
+      "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
+      "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
+    command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
+                                 options);
     if(!args.parse(argc, argv))
       return command_line::done;
 
@@ -128,8 +134,8 @@ int main(int argc, char* argv[])
     const double number_of_quads = args.positive_number("target-quads");
     const double sharp_angle = args.number("sharp-angle", 0, 180);
     const bool align_boundary = args.is_on("align-boundary");
-    const QM::Rounding_method methods[] = {QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY,
-                                           QM::Rounding_method::LATTICE};
+    const QM::Rounding_method methods[] = { QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY,
+                                            QM::Rounding_method::LATTICE };
     const QM::Rounding_method rounding = methods[args.choice("rounding", { "direct", "greedy", "lattice" })];
 
     const QM::Cross_field_method fields[] = { QM::Cross_field_method::REPRESENTATION, QM::Cross_field_method::GREEDY,
@@ -176,11 +182,12 @@ int main(int argc, char* argv[])
     if(q.quads().mesh.number_of_faces() > 0)
       command_line::write_mesh(args.positional(1), q.quads().mesh);
 
-    std::cout << result.message << "\n" << result.quads << " quads, " << result.irregular_vertices
-              << " irregular vertices, " << result.total_seconds << " s" << std::endl;
+    std::cout << result.message << "\n"
+              << result.quads << " quads, " << result.irregular_vertices << " irregular vertices, "
+              << result.total_seconds << " s" << std::endl;
     if(!result.is_valid())
-      std::cerr << "quadrangulate: " << args.positional(0) << ": the result is not valid: "
-                << command_line::one_line(result.message) << std::endl;
+      std::cerr << "quadrangulate: " << args.positional(0)
+                << ": the result is not valid: " << command_line::one_line(result.message) << std::endl;
     return result.is_valid() ? command_line::done : command_line::not_valid;
   });
 }

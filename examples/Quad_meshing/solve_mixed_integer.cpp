@@ -45,8 +45,9 @@ Eigen::VectorXd read_vector(const std::string& filename, int size)
 {
   const Matrix matrix = read_matrix(filename);
   if(matrix.cols() != 1 || matrix.rows() != size)
-    throw command_line::Unusable_input(filename + ": has " + std::to_string(matrix.rows()) + " x "
-      + std::to_string(matrix.cols()) + " entries, expected " + std::to_string(size) + " x 1");
+    throw command_line::Unusable_input(filename + ": has " + std::to_string(matrix.rows()) + " x " +
+                                       std::to_string(matrix.cols()) + " entries, expected " + std::to_string(size) +
+                                       " x 1");
   return Eigen::VectorXd(Eigen::MatrixXd(matrix).col(0));
 }
 
@@ -62,14 +63,21 @@ std::vector<double> read_bounds(const std::string& filename, int size)
   {
     std::size_t length = 0;
     double value = 0.;
-    try { value = std::stod(word, &length); } catch(const std::exception&) { length = 0; }
+    try
+    {
+      value = std::stod(word, &length);
+    }
+    catch(const std::exception&)
+    {
+      length = 0;
+    }
     if(length != word.size() || std::isnan(value))
       throw command_line::Unusable_input(filename + ": '" + word + "' is not a number");
     bounds.push_back(value);
   }
   if(static_cast<int>(bounds.size()) != size)
-    throw command_line::Unusable_input(filename + ": has " + std::to_string(bounds.size()) + " numbers, expected "
-                                       + std::to_string(size));
+    throw command_line::Unusable_input(filename + ": has " + std::to_string(bounds.size()) + " numbers, expected " +
+                                       std::to_string(size));
   return bounds;
 }
 
@@ -89,13 +97,13 @@ void read_integers(const std::string& filename, QM::Mixed_integer_problem& probl
 }
 
 // The rows of a matrix with their right-hand sides.
-std::vector<QM::Mixed_integer_problem::Linear_constraint>
-read_constraints(const std::string& matrix_file, const std::string& rhs_file, int variables)
+std::vector<QM::Mixed_integer_problem::Linear_constraint> read_constraints(const std::string& matrix_file,
+                                                                           const std::string& rhs_file, int variables)
 {
   const Matrix C = read_matrix(matrix_file);
   if(C.cols() != variables)
-    throw command_line::Unusable_input(matrix_file + ": has " + std::to_string(C.cols()) + " columns, expected "
-                                       + std::to_string(variables));
+    throw command_line::Unusable_input(matrix_file + ": has " + std::to_string(C.cols()) + " columns, expected " +
+                                       std::to_string(variables));
   const Eigen::VectorXd d = read_vector(rhs_file, static_cast<int>(C.rows()));
   std::vector<QM::Mixed_integer_problem::Linear_constraint> constraints(C.rows());
   for(int i = 0; i < C.rows(); ++i)
@@ -193,35 +201,37 @@ int solve(int argc, char* argv[])
 
   typedef std::string Text;
   po::options_description options("Options");
-  options.add_options()
-    ("mps", po::value<Text>(), "a problem in the MPS format, linear or convex quadratic, instead of matrices")
-    ("matrix", po::value<Text>(), "symmetric matrix A (Matrix Market)")
-    ("rhs", po::value<Text>(), "vector b (Matrix Market)")
-    ("integers", po::value<Text>(), "indices of the integer variables, from 0")
-    ("constraints", po::value<Text>(), "matrix C of equality constraints Cx = d (Matrix Market)")
-    ("constraints-rhs", po::value<Text>(), "vector d (Matrix Market)")
-    ("inequalities", po::value<Text>(), "matrix G of inequality constraints Gx <= h (Matrix Market)")
-    ("inequalities-rhs", po::value<Text>(), "vector h (Matrix Market)")
-    ("lower", po::value<Text>(), "lower bounds, a number or -inf per variable")
-    ("upper", po::value<Text>(), "upper bounds, a number or inf per variable")
-    ("method", po::value<Text>()->default_value("greedy"), method_list.c_str())
-    ("time-limit", po::value<double>()->default_value(1e9), "seconds after which the best solution so far is taken")
-    ("node-limit", po::value<double>()->default_value(3e7), "nodes or subproblems that the search may visit")
-    ("constraint-tolerance", po::value<double>()->default_value(1e-6),
-     "what counts as zero when constraints depend on each other")
-    ("rounding-tolerance", po::value<double>()->default_value(3e-4), "accuracy of the iterative levels of greedy rounding")
-    ("gauss-seidel", po::value<double>()->default_value(20000), "local steps per rounding, 0 for none")
-    ("conjugate-gradient", po::value<double>()->default_value(10), "steps of the conjugate gradient per rounding, 0 for none")
-    ("no-cholesky", po::bool_switch(), "no new factorization between the roundings")
-    ("dense-integers", po::value<double>()->default_value(1000),
-     "up to so many integers greedy rounding works with a dense complement")
-    ("bound-rounds", po::value<double>()->default_value(0), "rounds that raise the lower bound of lattice rounding")
-    ("gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")
-    ("selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")
-    ("branching", po::value<Text>()->default_value("pseudo-costs"),
-     "minimum-infeasibility, maximum-infeasibility or pseudo-costs")
-    ("out", po::value<Text>(), "file for the solution, one value per line")
-    ("json", po::value<Text>(), "file for the figures");
+  options.add_options()("mps", po::value<Text>(),
+                        "a problem in the MPS format, linear or convex quadratic, instead of matrices")(
+    "matrix", po::value<Text>(), "symmetric matrix A (Matrix Market)")(
+    "rhs", po::value<Text>(), "vector b (Matrix Market)")("integers", po::value<Text>(),
+                                                          "indices of the integer variables, from 0")(
+    "constraints", po::value<Text>(), "matrix C of equality constraints Cx = d (Matrix Market)")(
+    "constraints-rhs", po::value<Text>(), "vector d (Matrix Market)")(
+    "inequalities", po::value<Text>(), "matrix G of inequality constraints Gx <= h (Matrix Market)")(
+    "inequalities-rhs", po::value<Text>(), "vector h (Matrix Market)")("lower", po::value<Text>(),
+                                                                       "lower bounds, a number or -inf per variable")(
+    "upper", po::value<Text>(), "upper bounds, a number or inf per variable")(
+    "method", po::value<Text>()->default_value("greedy"), method_list.c_str())(
+    "time-limit", po::value<double>()->default_value(1e9), "seconds after which the best solution so far is taken")(
+    "node-limit", po::value<double>()->default_value(3e7), "nodes or subproblems that the search may visit")(
+    "constraint-tolerance", po::value<double>()->default_value(1e-6),
+    "what counts as zero when constraints depend on each other")("rounding-tolerance",
+                                                                 po::value<double>()->default_value(3e-4),
+                                                                 "accuracy of the iterative levels of greedy rounding")(
+    "gauss-seidel", po::value<double>()->default_value(20000), "local steps per rounding, 0 for none")(
+    "conjugate-gradient", po::value<double>()->default_value(10),
+    "steps of the conjugate gradient per rounding, 0 for none")("no-cholesky", po::bool_switch(),
+                                                                "no new factorization between the roundings")(
+    "dense-integers", po::value<double>()->default_value(1000),
+    "up to so many integers greedy rounding works with a dense complement")(
+    "bound-rounds", po::value<double>()->default_value(0), "rounds that raise the lower bound of lattice rounding")(
+    "gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")(
+    "selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")(
+    "branching", po::value<Text>()->default_value("pseudo-costs"),
+    "minimum-infeasibility, maximum-infeasibility or pseudo-costs")(
+    "out", po::value<Text>(), "file for the solution, one value per line")("json", po::value<Text>(),
+                                                                           "file for the figures");
   command_line::Arguments args("solve_mixed_integer",
                                "minimizes 1/2 x'Ax - x'b over real and integer variables with linear constraints", {},
                                options);
@@ -229,10 +239,10 @@ int solve(int argc, char* argv[])
     return command_line::done;
 
   const QM::Rounding_method method = QM::Rounding_method(args.choice("method", methods));
-  const QM::Subproblem_selection selection = QM::Subproblem_selection(
-    args.choice("selection", { "best-bound", "depth-first", "best-estimate" }));
-  const QM::Branching_rule branching = QM::Branching_rule(
-    args.choice("branching", { "minimum-infeasibility", "maximum-infeasibility", "pseudo-costs" }));
+  const QM::Subproblem_selection selection =
+    QM::Subproblem_selection(args.choice("selection", { "best-bound", "depth-first", "best-estimate" }));
+  const QM::Branching_rule branching =
+    QM::Branching_rule(args.choice("branching", { "minimum-infeasibility", "maximum-infeasibility", "pseudo-costs" }));
   const double time_limit = args.number("time-limit", 0., 1e9), node_limit = args.number("node-limit", 0., 1e18);
   const int bound_rounds = static_cast<int>(args.number("bound-rounds", 0., 1e6));
   const double gap = args.number("gap", 0., 1.);
@@ -248,12 +258,21 @@ int solve(int argc, char* argv[])
   const QM::Mixed_integer_problem problem = read_problem(args);
 
   command_line::Progress_bar progress;
-  const QM::Mixed_integer_solution solution = QM::solve_mixed_integer(problem,
-    CGAL::parameters::rounding_method(method).maximum_running_time(time_limit).maximum_number_of_nodes(node_limit)
-      .number_of_bound_rounds(bound_rounds).relative_gap_tolerance(gap).subproblem_selection(selection)
-      .branching_rule(branching).constraint_tolerance(constraint_tolerance).rounding_tolerance(rounding_tolerance)
-      .gauss_seidel_iterations(gauss_seidel).conjugate_gradient_iterations(conjugate_gradient)
-      .allow_refactorization(has_cholesky).maximum_dense_integers(dense_integers).visitor(std::ref(progress)));
+  const QM::Mixed_integer_solution solution =
+    QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(method)
+                                       .maximum_running_time(time_limit)
+                                       .maximum_number_of_nodes(node_limit)
+                                       .number_of_bound_rounds(bound_rounds)
+                                       .relative_gap_tolerance(gap)
+                                       .subproblem_selection(selection)
+                                       .branching_rule(branching)
+                                       .constraint_tolerance(constraint_tolerance)
+                                       .rounding_tolerance(rounding_tolerance)
+                                       .gauss_seidel_iterations(gauss_seidel)
+                                       .conjugate_gradient_iterations(conjugate_gradient)
+                                       .allow_refactorization(has_cholesky)
+                                       .maximum_dense_integers(dense_integers)
+                                       .visitor(std::ref(progress)));
 
   std::cout.precision(12);
   std::cout << QM::status_name(solution.status) << ": " << solution.message << "\n"
@@ -285,8 +304,9 @@ int solve(int argc, char* argv[])
     json.set("seconds", solution.seconds);
     command_line::write_json(args.value<Text>("json"), json);
   }
-  const bool is_valid = method == QM::Rounding_method::RELAXED ? solution.status <= QM::Mixed_integer_status::FEASIBLE
-    : solution.is_valid() && solution.conflicting_constraints.empty();
+  const bool is_valid = method == QM::Rounding_method::RELAXED
+                          ? solution.status <= QM::Mixed_integer_status::FEASIBLE
+                          : solution.is_valid() && solution.conflicting_constraints.empty();
   return is_valid ? command_line::done : command_line::not_valid;
 }
 

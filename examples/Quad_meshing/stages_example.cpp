@@ -6,8 +6,9 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The stages of quadrangulate(), called one after the other, give the same mesh wherever its first plan is good enough; other
-// plans call them again for another length or field. After each stage one can look at what it left behind, and change it.
+// The stages of quadrangulate(), called one after the other, give the same mesh wherever its first plan is good enough;
+// other plans call them again for another length or field. After each stage one can look at what it left behind, and
+// change it.
 //
 //   stages_example [input] [number of quads] [output.obj]
 
@@ -57,12 +58,14 @@ int main(int argc, char* argv[])
     QM::split_for_alignment(s.mesh, s.mesh.points(), s.is_feature, true, s.origin, 1.5 * length);
 
     // Directions for the quads, that follow the sharp edges and the curvature of the surface, ...
-    auto direction = s.mesh.add_property_map<Mesh::Face_index, std::optional<Vector_3> >("f:direction").first;
+    auto direction = s.mesh.add_property_map<Mesh::Face_index, std::optional<Vector_3>>("f:direction").first;
     auto weight = s.mesh.add_property_map<Mesh::Face_index, double>("f:weight", 0).first;
     QM::curvature_directions(s.mesh, length, direction, weight, np::edge_is_constrained_map(s.is_feature));
     const auto field = QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index,
-                                              np::target_edge_length(length).edge_is_constrained_map(s.is_feature)
-                                                .face_direction_map(direction).face_direction_weight_map(weight));
+                                              np::target_edge_length(length)
+                                                .edge_is_constrained_map(s.is_feature)
+                                                .face_direction_map(direction)
+                                                .face_direction_weight_map(weight));
     std::cout << field.message << " " << field.singularities << " singularities" << std::endl;
 
     // ... a map to the plane along them, ...

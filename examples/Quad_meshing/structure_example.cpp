@@ -42,27 +42,28 @@ int main(int argc, char* argv[])
 
   // n x m quads; behind the last column the rows go on one row higher
   std::vector<Kernel::Point_3> points;
-  std::vector<std::array<std::size_t, 4> > quads;
+  std::vector<std::array<std::size_t, 4>> quads;
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < m; ++j)
     {
       const double u = 2 * CGAL_PI * i / n, v = 2 * CGAL_PI * (j + double(i) / n) / m, r = 2 + std::cos(v);
       points.emplace_back(r * std::cos(u), r * std::sin(u), -std::sin(v));
       const auto id = [&](int a, int b) { return std::size_t((a % n) * m + (b + (a == n ? 1 : 0)) % m); };
-      quads.push_back({{ id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) }});
+      quads.push_back({ { id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) } });
     }
   Mesh qm;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, quads, qm);
 
   for(const auto& h : QM::minimal_q_helices(qm))
-    std::cout << "helix: pitch " << h.pitch << ", turn length " << h.turn_length << ", " << h.winding_number() << " turns\n";
+    std::cout << "helix: pitch " << h.pitch << ", turn length " << h.turn_length << ", " << h.winding_number()
+              << " turns\n";
 
   for(Mesh::Halfedge_index h : qm.halfedges())
   {
     const auto flip = QM::dual_curve_operator(qm, h, QM::Grid_preserving_step_kind::SHIFT_LEFT);
     Mesh flipped = qm;
-    if(flip.size() == std::size_t(m) && QM::apply_grid_preserving_operator(flipped, flip)
-       && QM::minimal_q_helices(flipped).empty())
+    if(flip.size() == std::size_t(m) && QM::apply_grid_preserving_operator(flipped, flip) &&
+       QM::minimal_q_helices(flipped).empty())
     {
       qm = flipped;
       break;

@@ -12,6 +12,7 @@
 /// \file CGAL/Quad_meshing.h
 /// Convenience header file that includes all public headers of the package.
 
+#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
 #include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
@@ -77,7 +78,6 @@
 #include <CGAL/Quad_meshing/Structure/Quad_structure_optimization_result.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/parameters.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Quad_meshing {
 
 template class Sparse_cholesky<double>;
-template class Sparse_cholesky<std::complex<double> >;
+template class Sparse_cholesky<std::complex<double>>;
 
 } // namespace Quad_meshing
 } // namespace CGAL

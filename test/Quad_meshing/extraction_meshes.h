@@ -44,23 +44,23 @@ typedef CGAL::Quad_meshing::internal::Grid_automorphism Grid_automorphism;
 struct Coarse_mesh
 {
   std::vector<Point_3> points;
-  std::vector<std::array<int, 4> > quads;
-  std::vector<std::array<int, 4> > labels;
+  std::vector<std::array<int, 4>> quads;
+  std::vector<std::array<int, 4>> labels;
 
-  void add(int a, int b, int c, int d) { add(a, b, c, d, {{ 0, 0, 0, 0 }}); }
+  void add(int a, int b, int c, int d) { add(a, b, c, d, { { 0, 0, 0, 0 } }); }
   void add(int a, int b, int c, int d, const std::array<int, 4>& l)
   {
-    quads.push_back({{ a, b, c, d }});
+    quads.push_back({ { a, b, c, d } });
     labels.push_back(l);
   }
 };
 
 struct Options
 {
-  int k = 1;                 // cells along each side of a coarse quad
-  int inner_points = 3;      // random points inside each coarse quad
-  int edge_points = 1;       // random points inside each coarse edge
-  int denominator = 8;       // all coordinates are multiples of 1 / denominator
+  int k = 1;            // cells along each side of a coarse quad
+  int inner_points = 3; // random points inside each coarse quad
+  int edge_points = 1;  // random points inside each coarse edge
+  int denominator = 8;  // all coordinates are multiples of 1 / denominator
   bool random_charts = true;
   unsigned int seed = 0;
 };
@@ -69,9 +69,12 @@ struct Mapped_mesh
 {
   Mesh mesh;
   Uv_map uv;
-  bool complete = true;      // all triangles could be added
+  bool complete = true; // all triangles could be added
   Mapped_mesh() : uv(mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first) {}
-  Mapped_mesh(const Mapped_mesh& m) : mesh(m.mesh), uv(mesh.property_map<Mesh::Halfedge_index, Point_2>("h:uv").first), complete(m.complete) {}
+  Mapped_mesh(const Mapped_mesh& m)
+    : mesh(m.mesh), uv(mesh.property_map<Mesh::Halfedge_index, Point_2>("h:uv").first), complete(m.complete)
+  {
+  }
   Mapped_mesh& operator=(const Mapped_mesh&) = delete;
 };
 
@@ -111,7 +114,7 @@ inline void add_triangle(Mapped_mesh& m, const std::array<Mesh::Vertex_index, 3>
 inline Mapped_mesh triangulated(const Coarse_mesh& coarse, const Options& o)
 {
   typedef CGAL::Triangulation_vertex_base_with_info_2<Mesh::Vertex_index, Kernel> Vb;
-  typedef CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb> > Delaunay;
+  typedef CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb>> Delaunay;
 
   Mapped_mesh m;
   std::mt19937 rng(o.seed);
@@ -121,13 +124,13 @@ inline Mapped_mesh triangulated(const Coarse_mesh& coarse, const Options& o)
     corner.push_back(m.mesh.add_vertex(p));
 
   // The points inside a coarse edge, from its smaller vertex to its larger one.
-  typedef std::vector<std::pair<int, Mesh::Vertex_index> > Edge_points;
+  typedef std::vector<std::pair<int, Mesh::Vertex_index>> Edge_points;
   std::map<std::tuple<int, int, int>, Edge_points> edge;
 
   for(std::size_t q = 0; q < coarse.quads.size(); ++q)
   {
     const std::array<int, 4>& c = coarse.quads[q];
-    const std::array<Point_2, 4> square = {{ Point_2(0, 0), Point_2(o.k, 0), Point_2(o.k, o.k), Point_2(0, o.k) }};
+    const std::array<Point_2, 4> square = { { Point_2(0, 0), Point_2(o.k, 0), Point_2(o.k, o.k), Point_2(0, o.k) } };
     auto place = [&](int x, int y)
     {
       const double s = static_cast<double>(x) / n, t = static_cast<double>(y) / n;
@@ -155,7 +158,8 @@ inline Mapped_mesh triangulated(const Coarse_mesh& coarse, const Options& o)
       if(is_new)
       {
         std::set<int> chosen;
-        for(int j = 0; j < 20 * o.edge_points && static_cast<int>(chosen.size()) < (std::min)(o.edge_points, n - 1); ++j)
+        for(int j = 0; j < 20 * o.edge_points && static_cast<int>(chosen.size()) < (std::min)(o.edge_points, n - 1);
+            ++j)
           chosen.insert(1 + static_cast<int>(rng() % (n - 1)));
         for(int s : chosen)
         {
@@ -167,17 +171,17 @@ inline Mapped_mesh triangulated(const Coarse_mesh& coarse, const Options& o)
       for(const auto& s : on_edge)
         dt.insert(on_square(s.first))->info() = s.second;
     }
-    std::set<std::pair<int, int> > chosen;
+    std::set<std::pair<int, int>> chosen;
     for(int j = 0; j < 20 * o.inner_points && static_cast<int>(chosen.size()) < o.inner_points; ++j)
     {
       const std::pair<int, int> p(1 + rng() % (n - 1), 1 + rng() % (n - 1));
       if(chosen.insert(p).second)
-        dt.insert(Point_2(static_cast<double>(p.first) / o.denominator, static_cast<double>(p.second) / o.denominator))->info()
-          = m.mesh.add_vertex(place(p.first, p.second));
+        dt.insert(Point_2(static_cast<double>(p.first) / o.denominator, static_cast<double>(p.second) / o.denominator))
+          ->info() = m.mesh.add_vertex(place(p.first, p.second));
     }
     for(auto t = dt.finite_faces_begin(); t != dt.finite_faces_end(); ++t)
-      add_triangle(m, {{ t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info() }},
-                      {{ t->vertex(0)->point(), t->vertex(1)->point(), t->vertex(2)->point() }});
+      add_triangle(m, { { t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info() } },
+                   { { t->vertex(0)->point(), t->vertex(1)->point(), t->vertex(2)->point() } });
   }
   if(o.random_charts)
     shuffle_charts(m, o.seed + 1);
@@ -191,7 +195,12 @@ inline Coarse_mesh coarse_cube()
   Coarse_mesh c;
   for(int i = 0; i < 8; ++i)
     c.points.push_back(Point_3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
-  c.add(0, 2, 3, 1); c.add(4, 5, 7, 6); c.add(0, 1, 5, 4); c.add(2, 6, 7, 3); c.add(0, 4, 6, 2); c.add(1, 3, 7, 5);
+  c.add(0, 2, 3, 1);
+  c.add(4, 5, 7, 6);
+  c.add(0, 1, 5, 4);
+  c.add(2, 6, 7, 3);
+  c.add(0, 4, 6, 2);
+  c.add(1, 3, 7, 5);
   return c;
 }
 
@@ -259,7 +268,7 @@ inline Coarse_mesh coarse_cone(int valence)
   {
     // With one square its two sides at the border join the same vertices and still differ.
     const int a = 1 + 2 * i, b = 1 + 2 * ((i + 1) % valence);
-    c.add(0, a, a + 1, b, {{ 0, 0, 1, 0 }});
+    c.add(0, a, a + 1, b, { { 0, 0, 1, 0 } });
   }
   return c;
 }

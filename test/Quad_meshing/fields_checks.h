@@ -39,8 +39,7 @@ struct Field
   Mesh::Property_map<Vertex, int> index;
   Mesh::Property_map<Edge, bool> feature;
 
-  explicit Field(const test_meshes::Soup& soup)
-    : tm(test_meshes::make_mesh(soup))
+  explicit Field(const test_meshes::Soup& soup) : tm(test_meshes::make_mesh(soup))
   {
     angle = tm.add_property_map<Face, double>("f:angle", 0.).first;
     jump = tm.add_property_map<Edge, int>("e:jump", 0).first;
@@ -49,10 +48,7 @@ struct Field
   }
 };
 
-inline double reduced(double a, double period)
-{
-  return a - period * std::round(a / period);
-}
+inline double reduced(double a, double period) { return a - period * std::round(a / period); }
 
 // The interior angle at the source of h.
 inline double corner(const Mesh& tm, Halfedge h)
@@ -114,8 +110,8 @@ inline double quads_of_fan(const Field& f, Halfedge first)
 
 inline int euler_number(const Mesh& tm)
 {
-  return static_cast<int>(tm.number_of_vertices()) - static_cast<int>(tm.number_of_edges())
-       + static_cast<int>(tm.number_of_faces());
+  return static_cast<int>(tm.number_of_vertices()) - static_cast<int>(tm.number_of_edges()) +
+         static_cast<int>(tm.number_of_faces());
 }
 
 // Everything that holds for the result on any mesh without faces of zero area, if borders are aligned.

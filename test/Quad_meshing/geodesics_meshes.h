@@ -66,8 +66,9 @@ inline Point_3 rotated(const Point_3& p)
 inline Soup uneven_square(int n, unsigned int seed)
 {
   CGAL::Random random(seed);
-  return mapped(grid(n, n), [&](const Point_3& p)
-  {
+  return mapped(grid(n, n),
+                [&](const Point_3& p)
+                {
     const bool is_inside = p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1;
     const double size = is_inside ? 0.25 / n : 0, dx = random.get_double(-1., 1.), dy = random.get_double(-1., 1.);
     return Point_3(p.x() + size * dx, p.y() + size * dy, 0);
@@ -95,7 +96,7 @@ inline Soup fan(int n, double angle, bool closed)
     soup.points.emplace_back(std::cos(low) * std::cos(i * phi), std::cos(low) * std::sin(i * phi),
                              i % 2 == 0 ? std::sin(low) : -std::sin(low));
   for(std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
-    soup.triangles.push_back({{ 0, i + 1, (i + 1) % spokes + 1 }});
+    soup.triangles.push_back({ { 0, i + 1, (i + 1) % spokes + 1 } });
   return soup;
 }
 

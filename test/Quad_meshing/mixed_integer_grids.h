@@ -24,8 +24,8 @@ void for_each_grid_edge(int width, const Function& f)
         const int i2 = i + is_down, j2 = j + !is_down;
         if(i2 == width || j2 == width)
           continue;
-        const CGAL::Quad_meshing::Mixed_integer_problem::Linear_form form =
-          { { i2 * width + j2, 1. }, { i * width + j, -1. } };
+        const CGAL::Quad_meshing::Mixed_integer_problem::Linear_form form = { { i2 * width + j2, 1. },
+                                                                              { i * width + j, -1. } };
         f(i, j, is_down, form);
       }
 }

@@ -29,14 +29,14 @@ struct Mesh_figures
 {
   std::size_t vertices = 0, edges = 0, faces = 0;
   std::size_t quads = 0;
-  std::size_t components = 0;            // of faces, joined over edges
+  std::size_t components = 0; // of faces, joined over edges
   std::size_t border_loops = 0;
   std::size_t isolated_vertices = 0;
-  std::size_t multiple_edges = 0;        // edges that join two vertices already joined, or a vertex to itself
-  bool consistent = true;                // next/opposite/target/face pointers agree, faces and fans are cycles
-  bool vertex_manifold = true;           // the faces around each vertex form one fan
-  std::map<int, std::size_t> inner_valences;    // valence -> number of inner vertices
-  std::map<int, std::size_t> border_valences;   // valence (edges) -> number of border vertices
+  std::size_t multiple_edges = 0;             // edges that join two vertices already joined, or a vertex to itself
+  bool consistent = true;                     // next/opposite/target/face pointers agree, faces and fans are cycles
+  bool vertex_manifold = true;                // the faces around each vertex form one fan
+  std::map<int, std::size_t> inner_valences;  // valence -> number of inner vertices
+  std::map<int, std::size_t> border_valences; // valence (edges) -> number of border vertices
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
   bool is_pure_quad_mesh() const { return faces > 0 && quads == faces; }
@@ -54,7 +54,8 @@ struct Mesh_figures
     return n;
   }
 
-  // Sum of (4 - valence) over inner vertices and of (3 - valence) over border vertices: 4 times the Euler number in a pure quad mesh.
+  // Sum of (4 - valence) over inner vertices and of (3 - valence) over border vertices: 4 times the Euler number in a
+  // pure quad mesh.
   long index_sum() const
   {
     long s = 0;
@@ -81,12 +82,16 @@ Mesh_figures figures(const Mesh& mesh)
 
   Mesh_figures r;
   const auto null_face = Traits::null_face();
-  std::map<vertex_descriptor, std::size_t> degree;        // halfedges that point to the vertex
-  std::set<std::pair<vertex_descriptor, vertex_descriptor> > joined;
+  std::map<vertex_descriptor, std::size_t> degree; // halfedges that point to the vertex
+  std::set<std::pair<vertex_descriptor, vertex_descriptor>> joined;
   std::set<halfedge_descriptor> border;
   std::size_t halfedges_of_mesh = 0;
 
-  for(auto v : vertices(mesh)) { ++r.vertices; degree[v] = 0; }
+  for(auto v : vertices(mesh))
+  {
+    ++r.vertices;
+    degree[v] = 0;
+  }
   for(auto e : edges(mesh))
   {
     ++r.edges;
@@ -102,8 +107,8 @@ Mesh_figures figures(const Mesh& mesh)
       ++degree[target(h, mesh)];
       if(face(h, mesh) == null_face)
         border.insert(h);
-      if(opposite(opposite(h, mesh), mesh) != h || prev(next(h, mesh), mesh) != h || next(prev(h, mesh), mesh) != h
-         || face(next(h, mesh), mesh) != face(h, mesh) || source(next(h, mesh), mesh) != target(h, mesh))
+      if(opposite(opposite(h, mesh), mesh) != h || prev(next(h, mesh), mesh) != h || next(prev(h, mesh), mesh) != h ||
+         face(next(h, mesh), mesh) != face(h, mesh) || source(next(h, mesh), mesh) != target(h, mesh))
         r.consistent = false;
     }
   }

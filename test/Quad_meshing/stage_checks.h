@@ -65,8 +65,9 @@ struct Counting_visitor : CGAL::Quad_meshing::Default_visitor
   bool is_finished() const { return begun > 0 && progress_of_stage.empty(); }
 };
 
-// Calls run(visitor) without a stop, and then with stops at several places, where it must return false. How often long work asks
-// depends on the clock: a stop that comes later than the last question has no effect, but the first always has.
+// Calls run(visitor) without a stop, and then with stops at several places, where it must return false. How often long
+// work asks depends on the clock: a stop that comes later than the last question has no effect, but the first always
+// has.
 template <typename Run>
 void check_stops(const Run& run)
 {

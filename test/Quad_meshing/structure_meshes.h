@@ -37,7 +37,7 @@ constexpr double pi = 3.14159265358979323846;
 struct Quad_soup
 {
   std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 4> > quads;
+  std::vector<std::array<std::size_t, 4>> quads;
 };
 
 template <typename QuadMesh = Mesh>
@@ -58,7 +58,7 @@ inline Quad_soup grid(int n, int m)
   auto id = [&](int i, int j) { return std::size_t(j * (n + 1) + i); };
   for(int j = 0; j < m; ++j)
     for(int i = 0; i < n; ++i)
-      s.quads.push_back({{ id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) }});
+      s.quads.push_back({ { id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) } });
   return s;
 }
 
@@ -133,7 +133,7 @@ inline Quad_soup rolled(int n, int m, int shift, bool closed)
   };
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < m; ++j)
-      s.quads.push_back({{ id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) }});
+      s.quads.push_back({ { id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) } });
   return s;
 }
 
@@ -141,7 +141,7 @@ inline Quad_soup rolled(int n, int m, int shift, bool closed)
 inline Quad_soup refined(const Quad_soup& coarse, int k)
 {
   Quad_soup s;
-  typedef std::vector<std::pair<std::size_t, int> > Key;      // corners with their weights
+  typedef std::vector<std::pair<std::size_t, int>> Key; // corners with their weights
   std::map<Key, std::size_t> ids;
   for(const std::array<std::size_t, 4>& q : coarse.quads)
   {
@@ -164,7 +164,7 @@ inline Quad_soup refined(const Quad_soup& coarse, int k)
     };
     for(int i = 0; i < k; ++i)
       for(int j = 0; j < k; ++j)
-        s.quads.push_back({{ id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) }});
+        s.quads.push_back({ { id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) } });
   }
   return s;
 }
@@ -188,9 +188,9 @@ Quad_soup split_triangles(const std::vector<Point_3>& points, const Triangles& t
     const std::size_t a = t[0], b = t[1], c = t[2];
     const std::size_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a), center = s.points.size();
     s.points.push_back(CGAL::centroid(points[a], points[b], points[c]));
-    s.quads.push_back({{ a, ab, center, ca }});
-    s.quads.push_back({{ b, bc, center, ab }});
-    s.quads.push_back({{ c, ca, center, bc }});
+    s.quads.push_back({ { a, ab, center, ca } });
+    s.quads.push_back({ { b, bc, center, ab } });
+    s.quads.push_back({ { c, ca, center, bc } });
   }
   return s;
 }
@@ -198,11 +198,11 @@ Quad_soup split_triangles(const std::vector<Point_3>& points, const Triangles& t
 // Both triangles of each quad.
 inline Mesh triangulated(const Quad_soup& quads)
 {
-  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<std::array<std::size_t, 3>> triangles;
   for(const std::array<std::size_t, 4>& q : quads.quads)
   {
-    triangles.push_back({{ q[0], q[1], q[2] }});
-    triangles.push_back({{ q[0], q[2], q[3] }});
+    triangles.push_back({ { q[0], q[1], q[2] } });
+    triangles.push_back({ { q[0], q[2], q[3] } });
   }
   Mesh tm;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(quads.points, triangles, tm);

@@ -32,12 +32,12 @@
 #include <vector>
 
 using namespace extraction_meshes;
-using quad_mesh_checks::Mesh_figures;
 using quad_mesh_checks::figures;
+using quad_mesh_checks::Mesh_figures;
 
 typedef CGAL::Quad_meshing::Quad_extraction_result Result;
 typedef CGAL::Quad_meshing::Quad_extraction_status Status;
-typedef std::pair<Mesh::Face_index, std::array<double, 3> > Location;
+typedef std::pair<Mesh::Face_index, std::array<double, 3>> Location;
 typedef Mesh::Property_map<Mesh::Vertex_index, Location> Location_map;
 
 namespace params = CGAL::parameters;
@@ -100,7 +100,8 @@ void check_exact(const Coarse_mesh& coarse, const Options& o, bool simple = true
     irregular_on_border += v.second;
   assert(r.irregular_border_vertices == irregular_on_border);
   assert(r.same_topology && r.is_usable() == simple);
-  assert(r.edges_cut_by_border == 0 && r.uncovered_area == 0 && r.cells_with_holes == 0 && r.removed_edges == 0 && r.split_vertices == 0);
+  assert(r.edges_cut_by_border == 0 && r.uncovered_area == 0 && r.cells_with_holes == 0 && r.removed_edges == 0 &&
+         r.split_vertices == 0);
   check_locations(m, qm, locations);
 
   // The irregular vertices are those of the coarse mesh.
@@ -125,7 +126,8 @@ void check_exact(const Coarse_mesh& coarse, const Options& o, bool simple = true
   {
     std::vector<Point_3> p;
     for(auto v : mesh.vertices())
-      p.push_back(Point_3(std::round(1e6 * mesh.point(v).x()), std::round(1e6 * mesh.point(v).y()), std::round(1e6 * mesh.point(v).z())));
+      p.push_back(Point_3(std::round(1e6 * mesh.point(v).x()), std::round(1e6 * mesh.point(v).y()),
+                          std::round(1e6 * mesh.point(v).z())));
     std::sort(p.begin(), p.end());
     return p;
   };
@@ -155,19 +157,25 @@ void test_exact_maps()
 
   // From triangles with hundreds of grid points to grid cells with dozens of triangles; denominators
   // from 1 (all vertices on grid points) to one that makes coincidences rare.
-  struct { int k, inner, edge, denominator; } const densities[] = {
-    { 1, 4, 1, 2 }, { 1, 30, 5, 16 }, { 2, 3, 1, 1 }, { 2, 10, 2, 2 }, { 3, 5, 3, 4 }, { 4, 40, 6, 1 }, { 5, 2, 1, 8 },
-    { 7, 30, 6, 2 }, { 20, 3, 1, 1 }, { 30, 4, 2, 64 }, { 3, 100, 12, 1048576 } };
+  struct
+  {
+    int k, inner, edge, denominator;
+  } const densities[] = { { 1, 4, 1, 2 },  { 1, 30, 5, 16 }, { 2, 3, 1, 1 },         { 2, 10, 2, 2 },
+                          { 3, 5, 3, 4 },  { 4, 40, 6, 1 },  { 5, 2, 1, 8 },         { 7, 30, 6, 2 },
+                          { 20, 3, 1, 1 }, { 30, 4, 2, 64 }, { 3, 100, 12, 1048576 } };
   unsigned int seed = 1;
   for(const Coarse_mesh& c : shapes)
     for(const auto& d : densities)
     {
       Options o;
-      o.k = d.k; o.inner_points = d.inner; o.edge_points = d.edge; o.denominator = d.denominator; o.seed = ++seed;
+      o.k = d.k;
+      o.inner_points = d.inner;
+      o.edge_points = d.edge;
+      o.denominator = d.denominator;
+      o.seed = ++seed;
       check_exact(c, o);
     }
 }
-
 
 // Cones of one and two quads: the mesh is right as a halfedge data structure.
 void test_small_valences()
@@ -209,7 +217,8 @@ void test_unaligned_borders()
   for(int run = 0; run < 60; ++run)
   {
     // Determinant at least 1/4, entries multiples of 1/8.
-    const double a = (rng() % 33) / 8. - 2, b = (rng() % 33) / 8. - 2, c = (rng() % 33) / 8. - 2, d = (rng() % 33) / 8. - 2;
+    const double a = (rng() % 33) / 8. - 2, b = (rng() % 33) / 8. - 2, c = (rng() % 33) / 8. - 2,
+                 d = (rng() % 33) / 8. - 2;
     if(a * d - b * c < 0.25)
       continue;
     auto map = [&](const Point_2& p) { return Point_2(a * p.x() + b * p.y() + 0.5, c * p.x() + d * p.y() - 0.25); };
@@ -229,8 +238,8 @@ void test_unaligned_borders()
     for(auto v = dt.finite_vertices_begin(); v != dt.finite_vertices_end(); ++v)
       id[v->point()] = m.mesh.add_vertex(Point_3(v->point().x(), v->point().y(), 0));
     for(auto f = dt.finite_faces_begin(); f != dt.finite_faces_end(); ++f)
-      add_triangle(m, {{ id[f->vertex(0)->point()], id[f->vertex(1)->point()], id[f->vertex(2)->point()] }},
-                      {{ map(f->vertex(0)->point()), map(f->vertex(1)->point()), map(f->vertex(2)->point()) }});
+      add_triangle(m, { { id[f->vertex(0)->point()], id[f->vertex(1)->point()], id[f->vertex(2)->point()] } },
+                   { { map(f->vertex(0)->point()), map(f->vertex(1)->point()), map(f->vertex(2)->point()) } });
     shuffle_charts(m, run);
 
     std::size_t expected = 0;
@@ -261,7 +270,11 @@ void test_cells_with_holes()
   for(unsigned int seed = 0; seed < 40; ++seed)
   {
     Options o;
-    o.k = 3; o.inner_points = 400; o.edge_points = 20; o.denominator = seed % 2 == 0 ? 16 : 64; o.seed = seed;
+    o.k = 3;
+    o.inner_points = 400;
+    o.edge_points = 20;
+    o.denominator = seed % 2 == 0 ? 16 : 64;
+    o.seed = seed;
     Mapped_mesh m = triangulated(coarse_cube(), o);
     // Remove the triangles around two inner vertices.
     std::mt19937 rng(seed);
@@ -290,7 +303,11 @@ void test_perturbation()
 {
   std::mt19937 rng(3);
   Options o;
-  o.k = 6; o.inner_points = 60; o.edge_points = 5; o.denominator = 4; o.random_charts = false;
+  o.k = 6;
+  o.inner_points = 60;
+  o.edge_points = 5;
+  o.denominator = 4;
+  o.random_charts = false;
   Mapped_mesh m = triangulated(coarse_plane(2, 2, [](int, int) { return true; }), o);
   // One chart for all, by the places of the vertices.
   for(auto h : m.mesh.halfedges())
@@ -323,17 +340,21 @@ void test_perturbation()
 void test_inexact_maps()
 {
   std::mt19937 rng(5);
-  for(const Coarse_mesh& c : { coarse_cube(), coarse_cone(5), coarse_cone(8), coarse_torus(4, 3, 1), coarse_plane(3, 2, [](int, int) { return true; }) })
+  for(const Coarse_mesh& c : { coarse_cube(), coarse_cone(5), coarse_cone(8), coarse_torus(4, 3, 1),
+                               coarse_plane(3, 2, [](int, int) { return true; }) })
     for(int k : { 1, 4, 9 })
     {
       Options o;
-      o.k = k; o.inner_points = 20; o.edge_points = 3;
+      o.k = k;
+      o.inner_points = 20;
+      o.edge_points = 3;
       Mapped_mesh m = triangulated(c, o);
       Mesh exact, noisy;
       assert(CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, exact).status == Status::VALID);
       for(auto h : m.mesh.halfedges())
         if(!m.mesh.is_border(h))
-          m.uv[h] = Point_2(m.uv[h].x() + 1e-6 * (rng() % 1001 - 500.) / 500, m.uv[h].y() + 1e-6 * (rng() % 1001 - 500.) / 500);
+          m.uv[h] =
+            Point_2(m.uv[h].x() + 1e-6 * (rng() % 1001 - 500.) / 500, m.uv[h].y() + 1e-6 * (rng() % 1001 - 500.) / 500);
       const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, noisy);
       assert(r.status == Status::VALID && r.inexact_transitions > 0 && r.inconsistent_transitions == 0);
       assert(r.largest_coordinate_change > 0 && r.largest_coordinate_change < 1e-5);
@@ -351,9 +372,11 @@ Result extract_without_unfolding(const Mapped_mesh& m, Mesh& qm)
   internal::Any_visitor visitor;
   internal::Extracted_quads quads;
   Result r;
-  if(internal::extract_quads(mesh, internal::copy_corners(m.mesh, m.uv, get(boost::face_index, m.mesh)), visitor, quads, r, 0))
-    internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm, [&](std::size_t i)
-    {
+  if(internal::extract_quads(mesh, internal::copy_corners(m.mesh, m.uv, get(boost::face_index, m.mesh)), visitor, quads,
+                             r, 0))
+    internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm,
+                               [&](std::size_t i)
+                               {
       const auto p = internal::position(mesh, quads.vertices[i]);
       return qm.add_vertex(Point_3(p.x(), p.y(), p.z()));
     });
@@ -372,7 +395,12 @@ void test_fold_overs()
       for(int run = 0; run < runs; ++run)
       {
         Options o;
-        o.k = 1 + run % 5; o.inner_points = 30; o.edge_points = 3; o.denominator = 64; o.seed = run; o.random_charts = false;
+        o.k = 1 + run % 5;
+        o.inner_points = 30;
+        o.edge_points = 3;
+        o.denominator = 64;
+        o.seed = run;
+        o.random_charts = false;
         if(denominator < 64)
           o.k = 4 + run % 4, o.denominator = denominator;
         Mapped_mesh m = triangulated(coarse_torus(4, 4, 0), o);
@@ -387,7 +415,8 @@ void test_fold_overs()
         }
         shuffle_charts(m, run);
         Mesh qm;
-        const Result r = unfold ? CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm) : extract_without_unfolding(m, qm);
+        const Result r =
+          unfold ? CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm) : extract_without_unfolding(m, qm);
         const Mesh_figures f = figures(qm);
         assert(r.status == Status::VALID || r.status == Status::REPAIRED);
         assert(f.consistent && f.vertex_manifold && f.isolated_vertices == 0);
@@ -407,8 +436,8 @@ void test_fold_overs()
 typedef std::function<bool(int, int, int)> Occupied;
 typedef std::array<std::vector<int>, 3> Slabs;
 
-// A polycube, mapped so that slab i of cells across axis a is sizes[a][i] grid cells thick. A slab of thickness 0 puts singular
-// vertices on one point: the mesh is that of the polycube without the slab.
+// A polycube, mapped so that slab i of cells across axis a is sizes[a][i] grid cells thick. A slab of thickness 0 puts
+// singular vertices on one point: the mesh is that of the polycube without the slab.
 Mapped_mesh polycube(const Occupied& occupied, const Slabs& sizes, int n, unsigned int seed)
 {
   auto count = [&](int a) { return static_cast<int>(sizes[a].size()); };
@@ -440,13 +469,14 @@ Mapped_mesh polycube(const Occupied& occupied, const Slabs& sizes, int n, unsign
       const double x = image(i, (axis + 1) % 3), y = image(i, (axis + 2) % 3);
       uv[i] = normal[axis] > 0 ? Point_2(x, y) : Point_2(y, x);
     }
-    add_triangle(m, {{ v[t[0]], v[t[1]], v[t[2]] }}, uv);
+    add_triangle(m, { { v[t[0]], v[t[1]], v[t[2]] } }, uv);
   }
   shuffle_charts(m, seed);
   return m;
 }
 
-// Singular vertices stay where they are. (One of valence 8, around which the charts do not turn in sum, may be hidden by the fold.)
+// Singular vertices stay where they are. (One of valence 8, around which the charts do not turn in sum, may be hidden
+// by the fold.)
 void test_fold_overs_at_singular_vertices()
 {
   std::mt19937 rng(17);
@@ -454,7 +484,12 @@ void test_fold_overs_at_singular_vertices()
     for(int run = 0; run < 20; ++run)
     {
       Options o;
-      o.k = 3; o.inner_points = 12; o.edge_points = 2; o.denominator = 16; o.seed = run; o.random_charts = false;
+      o.k = 3;
+      o.inner_points = 12;
+      o.edge_points = 2;
+      o.denominator = 16;
+      o.seed = run;
+      o.random_charts = false;
       Mapped_mesh m = triangulated(coarse_cone(valence), o);
       // Neighbors of the center inside a coarse quad, which have one chart, jump over it.
       std::size_t moved = 0;
@@ -488,13 +523,18 @@ void test_collapsed_arcs()
   auto bump = [](int x, int y, int z) { return z == 0 || (x == 1 && y == 1); };
   auto box = [](int, int, int) { return true; };
   auto steps = [](int x, int, int z) { return z <= x; };
-  struct { Occupied occupied; Slabs sizes; std::size_t quads, irregular; } const cases[] = {
-    { box, {{ { 3 }, { 2 }, { 1 } }}, 22, 8 },
-    { bump, {{ { 1, 2, 1 }, { 2, 2, 1 }, { 2, 1 } }}, 4 * 5 * 2 + 2 * 2 * 9 + 8, 16 },
-    { box, {{ { 3 }, { 2 }, { 0 } }}, 12, 4 },
-    { bump, {{ { 1, 2, 1 }, { 2, 2, 1 }, { 2, 0 } }}, 4 * 5 * 2 + 2 * 2 * 9, 8 },
-    { bump, {{ { 1, 0, 1 }, { 2, 2, 1 }, { 2, 1 } }}, 2 * 5 * 2 + 2 * 2 * 7 + 4, 12 },
-    { steps, {{ { 2, 2, 2 }, { 2 }, { 1, 0, 1 } }}, 48, 12 },
+  struct
+  {
+    Occupied occupied;
+    Slabs sizes;
+    std::size_t quads, irregular;
+  } const cases[] = {
+    { box, { { { 3 }, { 2 }, { 1 } } }, 22, 8 },
+    { bump, { { { 1, 2, 1 }, { 2, 2, 1 }, { 2, 1 } } }, 4 * 5 * 2 + 2 * 2 * 9 + 8, 16 },
+    { box, { { { 3 }, { 2 }, { 0 } } }, 12, 4 },
+    { bump, { { { 1, 2, 1 }, { 2, 2, 1 }, { 2, 0 } } }, 4 * 5 * 2 + 2 * 2 * 9, 8 },
+    { bump, { { { 1, 0, 1 }, { 2, 2, 1 }, { 2, 1 } } }, 2 * 5 * 2 + 2 * 2 * 7 + 4, 12 },
+    { steps, { { { 2, 2, 2 }, { 2 }, { 1, 0, 1 } } }, 48, 12 },
   };
   for(const auto& c : cases)
     for(int n : { 4, 3, 2, 1 })
@@ -529,44 +569,60 @@ void test_garbage()
     return r.status;
   };
   Options o;
-  o.inner_points = 40; o.edge_points = 4; o.denominator = 32;
+  o.inner_points = 40;
+  o.edge_points = 4;
+  o.denominator = 32;
   const Mapped_mesh sphere = triangulated(coarse_cube(), o), disk = triangulated(coarse_fan(3), o);
   for(const Mapped_mesh* base : { &sphere, &disk })
   {
     Mapped_mesh m(*base);
-    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(0, 0);
+    for(auto h : m.mesh.halfedges())
+      m.uv[h] = Point_2(0, 0);
     assert(check(m, "all zero") == Status::FAILED);
-    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(rng() % 1000 / 100., rng() % 1000 / 100.);
+    for(auto h : m.mesh.halfedges())
+      m.uv[h] = Point_2(rng() % 1000 / 100., rng() % 1000 / 100.);
     assert(check(m, "random") != Status::VALID);
-    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(int(rng() % 5), int(rng() % 5));
+    for(auto h : m.mesh.halfedges())
+      m.uv[h] = Point_2(int(rng() % 5), int(rng() % 5));
     assert(check(m, "random integers") != Status::VALID);
-    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(1e300 * (rng() % 3), 1e-300);
+    for(auto h : m.mesh.halfedges())
+      m.uv[h] = Point_2(1e300 * (rng() % 3), 1e-300);
     assert(check(m, "huge") == Status::FAILED);
-    for(auto h : m.mesh.halfedges()) m.uv[h] = Point_2(1e9 * (rng() % 3), 1e9 * (rng() % 3));
+    for(auto h : m.mesh.halfedges())
+      m.uv[h] = Point_2(1e9 * (rng() % 3), 1e9 * (rng() % 3));
     assert(check(m, "too many") == Status::FAILED);
     for(auto v : m.mesh.vertices())
     {
       const Point_2 p(rng() % 640 / 64., rng() % 640 / 64.);
-      for(auto h : CGAL::halfedges_around_target(v, m.mesh)) m.uv[h] = p;
+      for(auto h : CGAL::halfedges_around_target(v, m.mesh))
+        m.uv[h] = p;
     }
     assert(check(m, "random per vertex") != Status::VALID);
     for(auto v : m.mesh.vertices())
     {
       const Point_2 p(int(rng() % 4), int(rng() % 4));
-      for(auto h : CGAL::halfedges_around_target(v, m.mesh)) m.uv[h] = p;
+      for(auto h : CGAL::halfedges_around_target(v, m.mesh))
+        m.uv[h] = p;
     }
     assert(check(m, "random integers per vertex") != Status::VALID);
     Mapped_mesh x(*base);
     x.uv[*x.mesh.halfedges_begin()] = Point_2(std::nan(""), 0);
-    for(auto h : x.mesh.halfedges()) if(!x.mesh.is_border(h)) { x.uv[h] = Point_2(0, std::nan("")); break; }
+    for(auto h : x.mesh.halfedges())
+      if(!x.mesh.is_border(h))
+      {
+        x.uv[h] = Point_2(0, std::nan(""));
+        break;
+      }
     assert(check(x, "NaN") == Status::FAILED);
     // Mirrored: every triangle is negative.
     Mapped_mesh y(*base);
-    for(auto h : y.mesh.halfedges()) y.uv[h] = Point_2(-y.uv[h].x(), y.uv[h].y());
+    for(auto h : y.mesh.halfedges())
+      y.uv[h] = Point_2(-y.uv[h].x(), y.uv[h].y());
     assert(check(y, "mirrored") != Status::VALID);
     // Scaled by a half: singular vertices off the grid.
     Mapped_mesh z(*base);
-    for(auto h : z.mesh.halfedges()) z.uv[h] = Point_2(z.uv[h].x() * 2.5, z.uv[h].y() * 2.5);
+    for(auto h : z.mesh.halfedges())
+      z.uv[h] = Point_2(z.uv[h].x() * 2.5, z.uv[h].y() * 2.5);
     check(z, "scaled by 2.5");
     for(int i = 0; i < 20; ++i)
     {
@@ -578,9 +634,14 @@ void test_garbage()
     }
   }
 
-  // A singular vertex in the middle of a cell: the map is consistent, but the grid lines around the vertex bound a triangle.
+  // A singular vertex in the middle of a cell: the map is consistent, but the grid lines around the vertex bound a
+  // triangle.
   Options o2;
-  o2.k = 2; o2.inner_points = 40; o2.edge_points = 4; o2.denominator = 32; o2.random_charts = false;
+  o2.k = 2;
+  o2.inner_points = 40;
+  o2.edge_points = 4;
+  o2.denominator = 32;
+  o2.random_charts = false;
   Mapped_mesh half = triangulated(coarse_cone(3), o2);
   for(auto h : half.mesh.halfedges())
     half.uv[h] = Point_2(half.uv[h].x() + 0.5, half.uv[h].y() + 0.5);
@@ -598,8 +659,9 @@ void test_interface()
   Options o;
   o.k = 4;
   const Mapped_mesh m = triangulated(coarse_cube(), o);
-  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
-  {
+  stage_checks::check_stops(
+    [&](stage_checks::Counting_visitor& visitor)
+    {
     Mesh qm;
     const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::visitor(std::ref(visitor)));
     assert(r.is_valid() || r.status == Status::STOPPED);
@@ -617,7 +679,7 @@ void test_interface()
 
   typedef boost::graph_traits<Polyhedron>::halfedge_descriptor Polyhedron_halfedge;
   Polyhedron tp;
-  std::vector<std::pair<Mesh::Halfedge_index, Polyhedron_halfedge> > pairs;
+  std::vector<std::pair<Mesh::Halfedge_index, Polyhedron_halfedge>> pairs;
   CGAL::copy_face_graph(m.mesh, tp, params::halfedge_to_halfedge_output_iterator(std::back_inserter(pairs)));
   std::map<Polyhedron_halfedge, Point_2> uv;
   for(const auto& h : pairs)
@@ -631,7 +693,9 @@ void test_interface()
 void test_pinched_vertices()
 {
   Options o;
-  o.k = 6; o.inner_points = 60; o.edge_points = 3;
+  o.k = 6;
+  o.inner_points = 60;
+  o.edge_points = 3;
   const Mapped_mesh whole = triangulated(coarse_cube(), o);
   int pinched = 0, on_grid = 0;
   for(Mesh::Vertex_index v : whole.mesh.vertices())
@@ -666,7 +730,9 @@ void test_feature_edges()
   for(int k : { 1, 3, 5 })
   {
     Options o;
-    o.k = k; o.inner_points = 30; o.edge_points = 4;
+    o.k = k;
+    o.inner_points = 30;
+    o.edge_points = 4;
     Mapped_mesh m = triangulated(coarse_cube(), o);
     auto is_feature = m.mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
     CGAL::Polygon_mesh_processing::detect_sharp_edges(m.mesh, 60, is_feature);
@@ -674,7 +740,8 @@ void test_feature_edges()
     Location_map location = qm.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
     assert(CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::face_location_map(location)).is_valid());
     auto is_quad_feature = qm.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
-    assert(CGAL::Quad_meshing::transfer_feature_edges(m.mesh, is_feature, qm, location, is_quad_feature) == std::size_t(12 * k));
+    assert(CGAL::Quad_meshing::transfer_feature_edges(m.mesh, is_feature, qm, location, is_quad_feature) ==
+           std::size_t(12 * k));
     auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
     CGAL::Polygon_mesh_processing::detect_sharp_edges(qm, 60, is_sharp);
     for(Mesh::Edge_index e : qm.edges())
@@ -692,35 +759,37 @@ void test_topology()
 {
   using CGAL::Quad_meshing::internal::surface_topology;
   const auto of = [](const test_meshes::Soup& s) { return surface_topology(test_meshes::make_mesh(s)); };
-  const auto sphere = of(test_meshes::icosphere(1)), torus = of(test_meshes::torus(8, 6)), disk = of(test_meshes::grid(3, 3));
+  const auto sphere = of(test_meshes::icosphere(1)), torus = of(test_meshes::torus(8, 6)),
+             disk = of(test_meshes::grid(3, 3));
   assert(sphere.size() == 1 && sphere[0].euler_number == 2 && sphere[0].border_loops == 0);
   assert(torus.size() == 1 && torus[0].euler_number == 0 && torus[0].border_loops == 0);
   assert(disk.size() == 1 && disk[0].euler_number == 1 && disk[0].border_loops == 1);
   const auto ring = of(test_meshes::cylinder(8, 3, false));
   assert(ring[0].euler_number == 0 && ring[0].border_loops == 2);
   // The same sums, distributed over the components in another way.
-  const auto far_off = [](const test_meshes::Soup& s) { return test_meshes::translated(s, test_meshes::Vector_3(9, 0, 0)); };
+  const auto far_off = [](const test_meshes::Soup& s)
+  { return test_meshes::translated(s, test_meshes::Vector_3(9, 0, 0)); };
   const auto a = of(test_meshes::joined(test_meshes::icosphere(1), far_off(test_meshes::double_ring(1))));
   const auto b = of(test_meshes::joined(test_meshes::torus(8, 6), far_off(test_meshes::torus(8, 6))));
-  assert(a.size() == 2 && b.size() == 2 && a[0].euler_number + a[1].euler_number == b[0].euler_number + b[1].euler_number && a != b);
+  assert(a.size() == 2 && b.size() == 2 &&
+         a[0].euler_number + a[1].euler_number == b[0].euler_number + b[1].euler_number && a != b);
 }
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "exact_maps", test_exact_maps },
-    { "small_valences", test_small_valences },
-    { "unaligned_borders", test_unaligned_borders },
-    { "cells_with_holes", test_cells_with_holes },
-    { "perturbation", test_perturbation },
-    { "inexact_maps", test_inexact_maps },
-    { "fold_overs", test_fold_overs },
-    { "fold_overs_at_singular_vertices", test_fold_overs_at_singular_vertices },
-    { "collapsed_arcs", test_collapsed_arcs },
-    { "garbage", test_garbage },
-    { "interface", test_interface },
-    { "pinched_vertices", test_pinched_vertices },
-    { "feature_edges", test_feature_edges },
-    { "topology", test_topology }
-  });
+  return run_cases(argc, argv,
+                   { { "exact_maps", test_exact_maps },
+                     { "small_valences", test_small_valences },
+                     { "unaligned_borders", test_unaligned_borders },
+                     { "cells_with_holes", test_cells_with_holes },
+                     { "perturbation", test_perturbation },
+                     { "inexact_maps", test_inexact_maps },
+                     { "fold_overs", test_fold_overs },
+                     { "fold_overs_at_singular_vertices", test_fold_overs_at_singular_vertices },
+                     { "collapsed_arcs", test_collapsed_arcs },
+                     { "garbage", test_garbage },
+                     { "interface", test_interface },
+                     { "pinched_vertices", test_pinched_vertices },
+                     { "feature_edges", test_feature_edges },
+                     { "topology", test_topology } });
 }

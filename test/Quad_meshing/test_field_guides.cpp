@@ -9,8 +9,8 @@
 // What guides fields: salient directions and sizing, on surfaces whose curvatures are known.
 
 #include "stage_checks.h"
-#include "test_meshes.h"
 #include "test_cases.h"
+#include "test_meshes.h"
 
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
@@ -50,8 +50,9 @@ void test_salient_directions()
   std::cout << "salient directions" << std::endl;
   {
     // A cylinder is parabolic all over; the axis is principal, however the mesh lies on it.
-    Mesh tm = make_mesh(mapped(cylinder(60, 40, false), [](const Point_3& p)
-    {
+    Mesh tm = make_mesh(mapped(cylinder(60, 40, false),
+                               [](const Point_3& p)
+                               {
       const double t = std::atan2(p.y(), p.x()) + 0.4 * p.z();
       return Point_3(std::cos(t), std::sin(t), p.z());
     }));
@@ -136,8 +137,9 @@ void test_sizing()
   }
   {
     // A cylinder next to a plane: the plane's length is bounded only by the distance from the bend.
-    Mesh tm = make_mesh(mapped(grid(120, 20, 6, 1), [](const Point_3& p)
-    {
+    Mesh tm = make_mesh(mapped(grid(120, 20, 6, 1),
+                               [](const Point_3& p)
+                               {
       const double r = 0.5, x = p.x() - 3;
       return x < 0 ? Point_3(x, p.y(), 0)
                    : Point_3(r * std::sin((std::min)(x / r, pi)) - (std::max)(0., x - pi * r), p.y(),
@@ -152,7 +154,8 @@ void test_sizing()
       longest = (std::max)(longest, sizing[f]);
       for(Face g : tm.faces_around_face(tm.halfedge(f)))
         if(g != Mesh::null_face())
-          assert(sizing[g] <= sizing[f] + 0.2 * std::sqrt(CGAL::squared_distance(center_of(tm, f), center_of(tm, g))) + 1e-12);
+          assert(sizing[g] <=
+                 sizing[f] + 0.2 * std::sqrt(CGAL::squared_distance(center_of(tm, f), center_of(tm, g))) + 1e-12);
     }
     const double chord = 2 * std::sqrt(2 * 0.5 * 0.005 - 0.005 * 0.005);
     assert(std::abs(shortest - chord) < 0.2 * chord && longest > 2.5 * chord);
@@ -178,8 +181,9 @@ void test_stops()
   Mesh tm = make_mesh(torus(60, 24, 1, 0.15));
   auto direction = tm.add_property_map<Face, Direction>("f:d").first;
   auto sizing = tm.add_property_map<Face, double>("f:s").first;
-  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
-  {
+  stage_checks::check_stops(
+    [&](stage_checks::Counting_visitor& visitor)
+    {
     for(Face f : tm.faces())
       direction[f] = Vector_3(0, 0, 7);
     const bool is_done = QM::salient_directions(tm, 0.2, direction, params::visitor(std::ref(visitor))).is_valid();
@@ -187,8 +191,9 @@ void test_stops()
       assert(is_done || (direction[f] && *direction[f] == Vector_3(0, 0, 7)));
     return is_done;
   });
-  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
-  {
+  stage_checks::check_stops(
+    [&](stage_checks::Counting_visitor& visitor)
+    {
     for(Face f : tm.faces())
       sizing[f] = 7;
     const bool is_done = QM::curvature_sizing(tm, 0.01, 0.01, 1, sizing, params::visitor(std::ref(visitor))).is_valid();
@@ -220,7 +225,8 @@ double area_in_quads(const Mesh& tm, double length)
   return CGAL::Polygon_mesh_processing::area(tm) / (length * length);
 }
 
-// The principal directions of a cylinder, a cone and a torus, with noise and however fine the triangles are; none on planes and spheres.
+// The principal directions of a cylinder, a cone and a torus, with noise and however fine the triangles are; none on
+// planes and spheres.
 void test_curvature_directions()
 {
   const double degree = CGAL_PI / 180;
@@ -249,21 +255,23 @@ void test_curvature_directions()
       Mesh tm = make_mesh(perturbed(cylinder(n, n, false, 0.5, 2), noise / 100 * 2.4));
       const auto maps = directions_of(tm, 0.2, weights);
       const double deviation = mean_deviation(tm, maps.first, maps.second, axis) / degree;
-      std::cout << "cylinder of " << tm.number_of_faces() << " triangles, noise " << noise << ": " << deviation << " degrees, weights "
-                << weights / area_in_quads(tm, 0.2) << std::endl;
+      std::cout << "cylinder of " << tm.number_of_faces() << " triangles, noise " << noise << ": " << deviation
+                << " degrees, weights " << weights / area_in_quads(tm, 0.2) << std::endl;
       assert(deviation < (noise == 0 ? 1 : 6) && weights > (noise == 0 ? 0.7 : 0.3) * area_in_quads(tm, 0.2));
     }
   {
     Mesh tm = make_mesh(torus(160, 48, 1, 0.25));
     const auto maps = directions_of(tm, 0.15, weights);
-    assert(mean_deviation(tm, maps.first, maps.second, [](const Point_3& p) { return Vector_3(-p.y(), p.x(), 0); }) < 2 * degree);
+    assert(mean_deviation(tm, maps.first, maps.second, [](const Point_3& p) { return Vector_3(-p.y(), p.x(), 0); }) <
+           2 * degree);
     assert(weights > 0.3 * area_in_quads(tm, 0.15));
   }
   {
     Mesh tm = make_mesh(cone(80, 30, 1, 2));
     const auto maps = directions_of(tm, 0.2, weights);
     // the apex is where all directions meet
-    const double deviation = mean_deviation(tm, maps.first, maps.second, [&](const Point_3& p) { return Vector_3(p.x(), p.y(), p.z() - 2); });
+    const double deviation =
+      mean_deviation(tm, maps.first, maps.second, [&](const Point_3& p) { return Vector_3(p.x(), p.y(), p.z() - 2); });
     std::cout << "cone: " << deviation / degree << " degrees" << std::endl;
     assert(deviation < 8 * degree && weights > 0.4 * area_in_quads(tm, 0.2));
   }
@@ -281,24 +289,28 @@ void test_curvature_directions()
     auto direction = tm.add_property_map<Face, Direction>("f:d").first;
     auto weight = tm.add_property_map<Face, double>("f:w", 0.).first;
     assert(QM::curvature_directions(tm, 0.15, direction, weight).number_of_faces > 0);
-    assert(QM::curvature_directions(tm, 0.15, direction, weight, params::edge_is_constrained_map(sharp)).number_of_faces == 0);
+    assert(
+      QM::curvature_directions(tm, 0.15, direction, weight, params::edge_is_constrained_map(sharp)).number_of_faces ==
+      0);
     assert(QM::curvature_directions(tm, -1, direction, weight).status == Status::INVALID_LENGTH);
   }
   Mesh tm = make_mesh(torus(60, 24, 1, 0.15));
   auto direction = tm.add_property_map<Face, Direction>("f:d").first;
   auto weight = tm.add_property_map<Face, double>("f:w", 7.).first;
-  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
-  {
+  stage_checks::check_stops(
+    [&](stage_checks::Counting_visitor& visitor)
+    {
     for(Face f : tm.faces())
       weight[f] = 7;
-    const bool is_done = QM::curvature_directions(tm, 0.2, direction, weight, params::visitor(std::ref(visitor))).is_valid();
+    const bool is_done =
+      QM::curvature_directions(tm, 0.2, direction, weight, params::visitor(std::ref(visitor))).is_valid();
     assert(is_done || weight[*tm.faces().begin()] == 7);
     return is_done;
   });
 }
 
-// Soft directions in a field: with no weight they do nothing, with a large one what hard ones do; in between, no small change of
-// an angle lowers the energy.
+// Soft directions in a field: with no weight they do nothing, with a large one what hard ones do; in between, no small
+// change of an angle lowers the energy.
 void test_soft_directions()
 {
   Mesh tm = make_mesh(perturbed(icosphere(3), 0.02, 1));
@@ -318,13 +330,16 @@ void test_soft_directions()
     for(Face f : tm.faces())
       weight[f] = w;
     const auto method = params::cross_field_method(QM::Cross_field_method::REPRESENTATION);
-    const QM::Cross_field_result r = hard ? QM::smooth_cross_field(tm, angle, jump, index, method.face_direction_map(direction))
-      : QM::smooth_cross_field(tm, angle, jump, index, method.face_direction_map(direction).face_direction_weight_map(weight));
+    const QM::Cross_field_result r =
+      hard ? QM::smooth_cross_field(tm, angle, jump, index, method.face_direction_map(direction))
+           : QM::smooth_cross_field(tm, angle, jump, index,
+                                    method.face_direction_map(direction).face_direction_weight_map(weight));
     assert(r.is_valid());
     return r.energy;
   };
-  const double free = QM::smooth_cross_field(tm, angle, jump, index,
-                                             params::cross_field_method(QM::Cross_field_method::REPRESENTATION)).energy;
+  const double free =
+    QM::smooth_cross_field(tm, angle, jump, index, params::cross_field_method(QM::Cross_field_method::REPRESENTATION))
+      .energy;
   const double hard = energy(0, true);
   assert(std::abs(energy(0, false) - free) < 1e-9 * free);
   assert(std::abs(energy(std::numeric_limits<double>::infinity(), false) - hard) < 1e-9 * hard);
@@ -357,12 +372,11 @@ void test_soft_directions()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "salient_directions", test_salient_directions },
-    { "curvature_directions", test_curvature_directions },
-    { "soft_directions", test_soft_directions },
-    { "sizing", test_sizing },
-    { "bad_lengths", test_bad_lengths },
-    { "stops", test_stops }
-  });
+  return run_cases(argc, argv,
+                   { { "salient_directions", test_salient_directions },
+                     { "curvature_directions", test_curvature_directions },
+                     { "soft_directions", test_soft_directions },
+                     { "sizing", test_sizing },
+                     { "bad_lengths", test_bad_lengths },
+                     { "stops", test_stops } });
 }

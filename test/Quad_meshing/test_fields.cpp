@@ -80,7 +80,7 @@ Field wedge(int n, int m, const std::vector<double>& degrees, const std::vector<
       soup.points.emplace_back(j * std::cos(degrees[i] * pi / 180), j * std::sin(degrees[i] * pi / 180), 0);
   auto v = [&](int i, int j) { return 1 + static_cast<std::size_t>(j - 1) * n + i % n; };
   for(int i = 0; i < n; ++i)
-    soup.triangles.push_back({{ 0, v(i, 1), v(i + 1, 1) }});
+    soup.triangles.push_back({ { 0, v(i, 1), v(i + 1, 1) } });
   for(int j = 1; j < m; ++j)
     for(int i = 0; i < n; ++i)
       soup.add_quad(v(i, j), v(i, j + 1), v(i + 1, j + 1), v(i + 1, j));
@@ -176,8 +176,10 @@ void test_methods()
     check(f, naive);
     const Result direct = compute(f, Method::DIRECT);
     check(f, direct);
-    std::cout << "  " << polished.energy << " " << greedy.energy << " " << naive.energy << " " << direct.energy << std::endl;
-    assert(polished.energy <= 1.02 * greedy.energy && polished.energy <= 1.02 * naive.energy && polished.energy < direct.energy + 1e-9);
+    std::cout << "  " << polished.energy << " " << greedy.energy << " " << naive.energy << " " << direct.energy
+              << std::endl;
+    assert(polished.energy <= 1.02 * greedy.energy && polished.energy <= 1.02 * naive.energy &&
+           polished.energy < direct.energy + 1e-9);
     assert(polished.integers == greedy.integers);
     // Edges minus the edges of the forest; every component is free or given as a whole here.
     int inner = 0, between_given = 0, free_faces = 0;
@@ -222,8 +224,10 @@ void brute_force(const Soup& shape, int box)
   {
     const Halfedge h = f.tm.halfedge(inner[i]);
     const int p = f.tm.face(h), q = f.tm.face(f.tm.opposite(h));
-    if(!given[p]) b(i, p) = 1;
-    if(!given[q]) b(i, q) = -1;
+    if(!given[p])
+      b(i, p) = 1;
+    if(!given[q])
+      b(i, q) = -1;
     c[i] = difference(f, h);
   }
   const Eigen::MatrixXd projector =
@@ -281,7 +285,9 @@ void brute_force(const Soup& shape, int box)
   std::cout << "  energy " << r.energy << ", best " << r.energy + best << std::endl;
   assert(best > -1e-9);
 
-  const double bound = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::number_of_bound_rounds(6)).lower_bound;
+  const double bound =
+    CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::number_of_bound_rounds(6))
+      .lower_bound;
   assert(r.lower_bound == 0 && bound <= r.energy + 1e-9 && bound > 0.98 * r.energy - 1e-9);
 }
 
@@ -350,7 +356,7 @@ void test_invariances()
   for(std::size_t i = 0; i < nf; ++i)
   {
     const Triangle& t = shape.triangles[nf - 1 - i];
-    shuffled.triangles[i] = {{ name[t[(i + 0) % 3]], name[t[(i + 1) % 3]], name[t[(i + 2) % 3]] }};
+    shuffled.triangles[i] = { { name[t[(i + 0) % 3]], name[t[(i + 1) % 3]], name[t[(i + 2) % 3]] } };
   }
   Field g(shuffled);
   mark_sharp_edges(g, 60);
@@ -361,7 +367,8 @@ void test_invariances()
     assert(f.index[Vertex(static_cast<int>(i))] == g.index[Vertex(static_cast<int>(name[i]))]);
 
   // Neither do size and place matter.
-  Field moved(mapped(shape, [](const Point_3& p) { return Point_3(300 - 1000 * p.y(), 1000 * p.x(), 1000 * p.z() - 70); }));
+  Field moved(
+    mapped(shape, [](const Point_3& p) { return Point_3(300 - 1000 * p.y(), 1000 * p.x(), 1000 * p.z() - 70); }));
   mark_sharp_edges(moved, 60);
   assert(std::abs(compute(moved).energy - r.energy) < 1e-8);
 }
@@ -382,7 +389,8 @@ void test_given_directions()
     if(std::abs(center.z()) < 0.7)
       given[face] = CGAL::cross_product(CGAL::cross_product(center, Vector_3(0, 0, 1)), center);
   }
-  const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::face_direction_map(given));
+  const Result r =
+    CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::face_direction_map(given));
   check(f, r);
   int north = 0, south = 0;
   for(Vertex v : f.tm.vertices())
@@ -489,12 +497,11 @@ void test_singularities_near_features()
   const Result without = compute(f);
   check(f, without);
   const int near_without = count_near_border(f, m, 4);
-  const Result with = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
-                                                             params::target_edge_length(4.).edge_is_constrained_map(f.feature));
+  const Result with = CGAL::Quad_meshing::smooth_cross_field(
+    f.tm, f.angle, f.jump, f.index, params::target_edge_length(4.).edge_is_constrained_map(f.feature));
   check(f, with);
   assert(count_near_border(f, m, 4) <= near_without);
   assert(with.energy < without.energy + 0.3 * without.singularities);
-
 }
 
 // The pairs of opposite singularities with less than `d` between them.
@@ -546,7 +553,8 @@ void test_close_pairs()
         }
         laplacian.solve_angles(spoilt);
         const std::vector<int> indices = I::field_indices(problem, spoilt);
-        assert(std::count(indices.begin(), indices.end(), 1) == 1 && std::count(indices.begin(), indices.end(), -1) == 1);
+        assert(std::count(indices.begin(), indices.end(), 1) == 1 &&
+               std::count(indices.begin(), indices.end(), -1) == 1);
         const int v = static_cast<int>(std::find(indices.begin(), indices.end(), 1) - indices.begin());
         const int w = static_cast<int>(std::find(indices.begin(), indices.end(), -1) - indices.begin());
         const double straight = std::sqrt(CGAL::squared_distance(m.points[v], m.points[w]));
@@ -567,7 +575,8 @@ void test_close_pairs()
   }
 
   {
-    // On the border, too: a vertex there that has a quad too many and an inner one that lacks one, or the other way around.
+    // On the border, too: a vertex there that has a quad too many and an inner one that lacks one, or the other way
+    // around.
     const Soup shape = grid(12, 12);
     const Mesh tm = make_mesh<Mesh>(shape);
     const I::Indexed_triangle_mesh m =
@@ -592,7 +601,8 @@ void test_close_pairs()
     {
       const double x = m.points[m.source(h)].x(), y = m.points[m.source(h)].y();
       const bool corner = std::abs(x - 0.5) > 0.4 && std::abs(y - 0.5) > 0.4;
-      if(!on_border[m.source(h)] || on_border[m.target(h)] || corner || m.halfedge_of_edge[m.edge_of[h]] != h || tried == 20)
+      if(!on_border[m.source(h)] || on_border[m.target(h)] || corner || m.halfedge_of_edge[m.edge_of[h]] != h ||
+         tried == 20)
         continue;
       ++tried;
       for(int by : { -1, 1 })
@@ -617,8 +627,8 @@ void test_close_pairs()
   assert(count_close_pairs(g, 0.5) > 0);
   for(Method method : { Method::POLISHED, Method::GREEDY })
   {
-    const Result few = CGAL::Quad_meshing::smooth_cross_field(g.tm, g.angle, g.jump, g.index,
-                                                              params::target_edge_length(1.).cross_field_method(method));
+    const Result few = CGAL::Quad_meshing::smooth_cross_field(
+      g.tm, g.angle, g.jump, g.index, params::target_edge_length(1.).cross_field_method(method));
     check(g, few);
     std::cout << "  " << many.singularities << " singularities, for large quads " << few.singularities << std::endl;
     assert(count_close_pairs(g, 0.5) == 0);
@@ -652,7 +662,11 @@ struct Stopping_visitor : CGAL::Quad_meshing::Default_visitor
   double last = 0;
   void on_stage_begin(const std::string&) { ++begun; }
   void on_stage_end(const std::string&) { ++ended; }
-  void progress(double p) { assert(p >= last && p <= 1); last = p; }
+  void progress(double p)
+  {
+    assert(p >= last && p <= 1);
+    last = p;
+  }
   bool go_further() { return ++asked < 3; }
 };
 
@@ -678,7 +692,7 @@ void test_annihilation()
   {
     // The pair and the path between them.
     I::Cross_field spoilt = field;
-    std::vector<std::pair<int, int> > path;
+    std::vector<std::pair<int, int>> path;
     int h = 0;
     for(int i = 0; i < steps; ++i)
     {
@@ -693,8 +707,10 @@ void test_annihilation()
       const I::Sector_quads quads(problem, field, no_costs, 0.);
       I::Jump_candidates candidates(problem, laplacian);
       candidates.update(field, quads, silent.progress);
-      const double foreseen = candidates.change_path(path, field), change = problem.energy(spoilt) - problem.energy(field);
-      // What half columns neglect adds up along the path: to 5.2 % of the change for ten edges with the order of CHOLMOD.
+      const double foreseen = candidates.change_path(path, field),
+                   change = problem.energy(spoilt) - problem.energy(field);
+      // What half columns neglect adds up along the path: to 5.2 % of the change for ten edges with the order of
+      // CHOLMOD.
       assert(change > 0.1 && std::abs(foreseen - change) < 0.08 * change);
       candidates.update(spoilt, quads, silent.progress);
       const double residual = candidates[0].residual, self = candidates.energy_change(0, 1);
@@ -714,17 +730,28 @@ void test_annihilation()
   }
 }
 
-// The dense projector of the sectors is that of the faces: closed surfaces with handles, aligned and free borders, holes, faces with
-// given directions, several components.
+// The dense projector of the sectors is that of the faces: closed surfaces with handles, aligned and free borders,
+// holes, faces with given directions, several components.
 void test_sector_potentials()
 {
   stage_checks::Silent_progress silent;
   namespace I = CGAL::Quad_meshing::internal;
   std::cout << "sector potentials" << std::endl;
-  struct Case { Soup soup; bool is_aligned; int every; }; // of the faces, every so many-th is given
-  const Case cases[] = { { icosphere(1), true, 0 }, { torus(9, 6), true, 0 }, { double_ring(1), true, 0 }, { grid(4, 3), true, 0 },
-                         { grid_with_hole(8, 7, 3, 5, 2, 4), true, 0 }, { grid_with_hole(8, 7, 3, 5, 2, 4), false, 0 },
-                         { cylinder(8, 3, false), false, 0 }, { torus(9, 6), true, 17 }, { grid(6, 5), false, 11 },
+  struct Case
+  {
+    Soup soup;
+    bool is_aligned;
+    int every;
+  }; // of the faces, every so many-th is given
+  const Case cases[] = { { icosphere(1), true, 0 },
+                         { torus(9, 6), true, 0 },
+                         { double_ring(1), true, 0 },
+                         { grid(4, 3), true, 0 },
+                         { grid_with_hole(8, 7, 3, 5, 2, 4), true, 0 },
+                         { grid_with_hole(8, 7, 3, 5, 2, 4), false, 0 },
+                         { cylinder(8, 3, false), false, 0 },
+                         { torus(9, 6), true, 17 },
+                         { grid(6, 5), false, 11 },
                          { two_components(2, 1), true, 0 } };
   for(const Case& c : cases)
   {
@@ -756,12 +783,14 @@ void test_sector_potentials()
   }
 }
 
-// On small meshes the search ends at about the same energy whatever the order of the faces is, far below greedy rounding.
+// On small meshes the search ends at about the same energy whatever the order of the faces is, far below greedy
+// rounding.
 void test_small_meshes()
 {
   stage_checks::Silent_progress silent;
   std::cout << "small meshes" << std::endl;
-  for(const Soup& shape : { perturbed(icosphere(3), 0.07), perturbed(torus(28, 14), 0.05), perturbed(double_ring(3), 0.07) })
+  for(const Soup& shape :
+      { perturbed(icosphere(3), 0.07), perturbed(torus(28, 14), 0.05), perturbed(double_ring(3), 0.07) })
   {
     Field f(shape);
     const Result r = compute(f);
@@ -811,8 +840,8 @@ void test_small_meshes()
   }
 }
 
-// The representation field is that of the surface and not of its triangles: in a square with directions on its border that turn around its
-// center, the singularity is there, however narrow the triangles are on one side.
+// The representation field is that of the surface and not of its triangles: in a square with directions on its border
+// that turn around its center, the singularity is there, however narrow the triangles are on one side.
 void test_surface_weights()
 {
   std::cout << "surface weights" << std::endl;
@@ -820,16 +849,21 @@ void test_surface_weights()
   for(int side = 0; side < 4; ++side)
   {
     auto graded = [&](double t) { return 2 * (t + 0.9 * t * (t - 1)) - 1; };
-    Field f(mapped(grid(40, 40, 1, 1), [&](const Point_3& p)
-    {
+    Field f(mapped(grid(40, 40, 1, 1),
+                   [&](const Point_3& p)
+                   {
       const double x = graded(p.x()), y = 2 * p.y() - 1;
-      return side == 0 ? Point_3(x, y, 0) : side == 1 ? Point_3(-y, x, 0) : side == 2 ? Point_3(-x, -y, 0) : Point_3(y, -x, 0);
+      return side == 0   ? Point_3(x, y, 0)
+             : side == 1 ? Point_3(-y, x, 0)
+             : side == 2 ? Point_3(-x, -y, 0)
+                         : Point_3(y, -x, 0);
     }));
     auto given = f.tm.add_property_map<Face, Direction>("f:given", Direction()).first;
     for(Halfedge h : f.tm.halfedges())
       if(f.tm.is_border(f.tm.opposite(h)))
       {
-        const Point_3 c = CGAL::centroid(f.tm.point(f.tm.source(h)), f.tm.point(f.tm.target(h)), f.tm.point(f.tm.target(f.tm.next(h))));
+        const Point_3 c =
+          CGAL::centroid(f.tm.point(f.tm.source(h)), f.tm.point(f.tm.target(h)), f.tm.point(f.tm.target(f.tm.next(h))));
         const double a = std::atan2(c.y(), c.x()) / 4;
         given[f.tm.face(h)] = Vector_3(std::cos(a), std::sin(a), 0);
       }
@@ -890,10 +924,13 @@ void test_input()
     // faces still sum up, so the indices do.
     for(int kind = 0; kind < 3; ++kind)
     {
-      Field f(mapped(kind == 2 ? icosphere(3) : torus(20, 12), [&](const Point_3& p)
-      {
-        if(kind == 0) return Point_3(p.x() > 0.9 ? 0.9 : p.x(), p.y(), p.x() > 0.9 ? 0. : p.z());
-        if(kind == 1) return Point_3(p.x(), p.y() > 0.8 ? 0.8 + 1e-13 * p.y() : p.y(), p.z());
+      Field f(mapped(kind == 2 ? icosphere(3) : torus(20, 12),
+                     [&](const Point_3& p)
+                     {
+        if(kind == 0)
+          return Point_3(p.x() > 0.9 ? 0.9 : p.x(), p.y(), p.x() > 0.9 ? 0. : p.z());
+        if(kind == 1)
+          return Point_3(p.x(), p.y() > 0.8 ? 0.8 + 1e-13 * p.y() : p.y(), p.z());
         return p.z() > 0.5 ? Point_3(0, 0, 0.9) : p;
       }));
       const Result r = compute(f);
@@ -903,7 +940,8 @@ void test_input()
   {
     // Without alignment the border is free.
     Field f(shaken(grid(6, 6), 0.01));
-    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::align_boundary(false));
+    const Result r =
+      CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::align_boundary(false));
     assert(r.is_valid() && r.constrained_faces == 0 && std::abs(energy(f) - r.energy) < 1e-9);
     Field g(shaken(grid(6, 6), 0.01));
     assert(compute(g).energy > r.energy);
@@ -912,8 +950,10 @@ void test_input()
     Field f(icosphere(2));
     Stopping_visitor visitor;
     f.angle[Face(0)] = 17;
-    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, params::align_boundary(true).visitor(std::ref(visitor)));
-    assert(r.status == Status::STOPPED && f.angle[Face(0)] == 17 && visitor.begun == visitor.ended && visitor.begun > 0);
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
+                                                            params::align_boundary(true).visitor(std::ref(visitor)));
+    assert(r.status == Status::STOPPED && f.angle[Face(0)] == 17 && visitor.begun == visitor.ended &&
+           visitor.begun > 0);
   }
   {
     typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
@@ -985,8 +1025,10 @@ void test_edited_fields()
   namespace QM = CGAL::Quad_meshing;
   typedef QM::Cross_field_report_status Report;
   const auto with_features = [](const Field& f) { return params::edge_is_constrained_map(f.feature); };
-  const auto check_field = [&](Field& f) { return QM::check_cross_field(f.tm, f.angle, f.jump, f.index, with_features(f)); };
-  const auto new_indices = [&](Field& f) { return QM::cross_field_indices(f.tm, f.angle, f.jump, f.index, with_features(f)); };
+  const auto check_field = [&](Field& f)
+  { return QM::check_cross_field(f.tm, f.angle, f.jump, f.index, with_features(f)); };
+  const auto new_indices = [&](Field& f)
+  { return QM::cross_field_indices(f.tm, f.angle, f.jump, f.index, with_features(f)); };
   for(const Soup& s : { cube(4), l_prism(3), grid(6, 5), torus(20, 10), square_ring(2), cylinder(16, 6, false) })
   {
     Field f(s);
@@ -1011,7 +1053,8 @@ void test_edited_fields()
     f.index[Vertex(1)] += 1;
     r = check_field(f);
     assert(r.status == Report::WRONG_INDEX && r.vertices_with_wrong_index == std::vector<Vertex>(1, Vertex(1)));
-    assert(r.index_sum == r.expected_index_sum + 1 && r.message.find(std::to_string(r.expected_index_sum)) != std::string::npos);
+    assert(r.index_sum == r.expected_index_sum + 1 &&
+           r.message.find(std::to_string(r.expected_index_sum)) != std::string::npos);
     f.index[Vertex(1)] -= 1;
 
     // A jump: its edge moves a quad from one end to the other.
@@ -1065,15 +1108,17 @@ void test_stops()
 {
   for(Method method : { Method::POLISHED, Method::GREEDY, Method::REPRESENTATION })
     for(double length : { 0., 0.3 })
-      stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
-      {
+      stage_checks::check_stops(
+        [&](stage_checks::Counting_visitor& visitor)
+        {
         Field f(shaken(cube(10), 0.01));
         mark_sharp_edges(f, 60);
         for(Face face : f.tm.faces())
           f.angle[face] = 17;
-        const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
-          params::cross_field_method(method).edge_is_constrained_map(f.feature).target_edge_length(length)
-            .visitor(std::ref(visitor)));
+        const Result r = CGAL::Quad_meshing::smooth_cross_field(
+          f.tm, f.angle, f.jump, f.index,
+          params::cross_field_method(method).edge_is_constrained_map(f.feature).target_edge_length(length).visitor(
+            std::ref(visitor)));
         assert(r.status == Status::STOPPED || r.is_valid());
         for(Face face : f.tm.faces())
           assert((f.angle[face] == 17) == (r.status == Status::STOPPED));
@@ -1110,24 +1155,23 @@ void test_real_meshes()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "known_fields", test_known_fields },
-    { "methods", test_methods },
-    { "brute_force", test_brute_force },
-    { "invariances", test_invariances },
-    { "given_directions", test_given_directions },
-    { "sectors", test_sectors },
-    { "singularities_near_features", test_singularities_near_features },
-    { "close_pairs", test_close_pairs },
-    { "tips", test_tips },
-    { "annihilation", test_annihilation },
-    { "sector_potentials", test_sector_potentials },
-    { "small_meshes", test_small_meshes },
-    { "surface_weights", test_surface_weights },
-    { "input", test_input },
-    { "pinched_vertices", test_pinched_vertices },
-    { "edited_fields", test_edited_fields },
-    { "stops", test_stops },
-    { "real_meshes", test_real_meshes }
-  });
+  return run_cases(argc, argv,
+                   { { "known_fields", test_known_fields },
+                     { "methods", test_methods },
+                     { "brute_force", test_brute_force },
+                     { "invariances", test_invariances },
+                     { "given_directions", test_given_directions },
+                     { "sectors", test_sectors },
+                     { "singularities_near_features", test_singularities_near_features },
+                     { "close_pairs", test_close_pairs },
+                     { "tips", test_tips },
+                     { "annihilation", test_annihilation },
+                     { "sector_potentials", test_sector_potentials },
+                     { "small_meshes", test_small_meshes },
+                     { "surface_weights", test_surface_weights },
+                     { "input", test_input },
+                     { "pinched_vertices", test_pinched_vertices },
+                     { "edited_fields", test_edited_fields },
+                     { "stops", test_stops },
+                     { "real_meshes", test_real_meshes } });
 }

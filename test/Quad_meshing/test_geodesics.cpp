@@ -59,7 +59,8 @@ double largest_error(const Mesh& tm, const Field& field, const std::function<dou
   return worst;
 }
 
-// Without windows, which go through groups of faces then, the distances are the same up to rounding. The field is left without windows.
+// Without windows, which go through groups of faces then, the distances are the same up to rounding. The field is left
+// without windows.
 void check_without_windows(const Mesh& tm, Field& field, double tolerance = 1e-12)
 {
   std::vector<double> expected;
@@ -70,7 +71,10 @@ void check_without_windows(const Mesh& tm, Field& field, double tolerance = 1e-1
     assert(field.distance(v) == expected[v] || std::fabs(field.distance(v) - expected[v]) <= tolerance * expected[v]);
 }
 
-double windows_per_edge(const Mesh& tm, const Field& field) { return double(field.number_of_windows()) / tm.number_of_edges(); }
+double windows_per_edge(const Mesh& tm, const Field& field)
+{
+  return double(field.number_of_windows()) / tm.number_of_edges();
+}
 
 // In the plane the distance is that of the plane; rays run through vertices, fronts tie, and no vertex
 // is a saddle: windows that continue each other become one.
@@ -95,9 +99,12 @@ void test_points_in_the_plane()
       check_without_windows(tm, field);
     }
     // in a face, on an edge, almost on an edge, almost at a vertex, at a vertex
-    for(const std::array<double, 3>& w : std::vector<std::array<double, 3> >{
-          {{ 0.2, 0.5, 0.3 }}, {{ 0.4, 0.6, 0 }}, {{ 0, 0.5, 0.5 }}, {{ 0.5, 0.5 - 1e-7, 1e-7 }},
-          {{ 1 - 2e-8, 1e-8, 1e-8 }}, {{ 0, 1, 0 }} })
+    for(const std::array<double, 3>& w : std::vector<std::array<double, 3>>{ { { 0.2, 0.5, 0.3 } },
+                                                                             { { 0.4, 0.6, 0 } },
+                                                                             { { 0, 0.5, 0.5 } },
+                                                                             { { 0.5, 0.5 - 1e-7, 1e-7 } },
+                                                                             { { 1 - 2e-8, 1e-8, 1e-8 } },
+                                                                             { { 0, 1, 0 } } })
     {
       const Location source(Mesh::Face_index(501), w);
       Field field(tm);
@@ -110,11 +117,12 @@ void test_points_in_the_plane()
       // anywhere else, with gradients and paths
       for(auto f : tm.faces())
       {
-        const Location l(f, {{ 0.1, 0.25, 0.65 }});
+        const Location l(f, { { 0.1, 0.25, 0.65 } });
         const Point_3 q = point(tm, l);
         const double d = distance(p, q);
         assert(std::fabs(field.distance(l) - 0.25 - d) < 1e-12);
-        assert((field.gradient(l) - Field::Vector_3((q.x() - p.x()) / d, (q.y() - p.y()) / d, (q.z() - p.z()) / d)).squared_length() < 1e-12);
+        assert((field.gradient(l) - Field::Vector_3((q.x() - p.x()) / d, (q.y() - p.y()) / d, (q.z() - p.z()) / d))
+                 .squared_length() < 1e-12);
         std::vector<Location> path;
         assert(field.shortest_path(l, std::back_inserter(path)) == 0);
         assert(std::fabs(length(tm, path) - d) < 1e-12);
@@ -164,7 +172,8 @@ void test_polylines_in_the_plane()
     {
       const double a = random.get_double(), b = random.get_double(0, 1 - a);
       const int f = test < 6 ? random.get_int(0, 800) : 40 * (3 + 4 * i) + 12;
-      corners.emplace_back(Mesh::Face_index(f), test < 6 ? std::array<double, 3>{{ a, b, 1 - a - b }} : std::array<double, 3>{{ 1, 0, 0 }});
+      corners.emplace_back(Mesh::Face_index(f), test < 6 ? std::array<double, 3>{ { a, b, 1 - a - b } }
+                                                         : std::array<double, 3>{ { 1, 0, 0 } });
     }
     if(test == 7)
       corners[3] = corners[0];
@@ -190,7 +199,7 @@ void test_polylines_in_the_plane()
       assert(std::fabs(field.distance(v) - expected(tm.point(v))) < 1e-12);
     for(auto f : tm.faces())
     {
-      const Location l(f, {{ 0.5, 0.2, 0.3 }});
+      const Location l(f, { { 0.5, 0.2, 0.3 } });
       assert(std::fabs(field.distance(l) - expected(point(tm, l))) < 1e-12);
       std::vector<Location> path;
       assert(field.shortest_path(l, std::back_inserter(path)) == 0);
@@ -218,7 +227,7 @@ void test_border()
       assert(std::fabs(field.distance(v) - expected(tm.point(v))) < 1e-14);
     for(auto f : tm.faces())
     {
-      const Location l(f, {{ 0.3, 0.3, 0.4 }});
+      const Location l(f, { { 0.3, 0.3, 0.4 } });
       assert(std::fabs(field.distance(l) - expected(point(tm, l))) < 1e-14);
     }
     check_without_windows(tm, field);
@@ -254,7 +263,8 @@ void test_hole()
   };
   for(int source : { 0, 7, 200, 390 })
   {
-    std::vector<Point_3> nodes = { tm.point(Vertex(source)), Point_3(x0, y0, 0), Point_3(x1, y0, 0), Point_3(x1, y1, 0), Point_3(x0, y1, 0) };
+    std::vector<Point_3> nodes = { tm.point(Vertex(source)), Point_3(x0, y0, 0), Point_3(x1, y0, 0), Point_3(x1, y1, 0),
+                                   Point_3(x0, y1, 0) };
     std::vector<double> d(5, infinity);
     d[0] = 0;
     for(int pass = 0; pass < 5; ++pass)
@@ -265,14 +275,15 @@ void test_hole()
     Field field(tm);
     field.add_source(Vertex(source));
     field.propagate();
-    assert(largest_error(tm, field, [&](Vertex v)
-    {
+    assert(largest_error(tm, field,
+                         [&](Vertex v)
+                         {
       double best = infinity;
       for(int i = 0; i < 5; ++i)
         if(is_visible(nodes[i], tm.point(v)))
           best = (std::min)(best, d[i] + distance(nodes[i], tm.point(v)));
       return best;
-    }) < 1e-12);
+           }) < 1e-12);
     check_without_windows(tm, field);
   }
 }
@@ -317,7 +328,7 @@ void test_cones()
   for(int i = 0; i < n; ++i)
     soup.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
   for(std::size_t i = 0; i < std::size_t(n); ++i)
-    soup.triangles.push_back({{ 0, i + 1, (i + 1) % n + 1 }});
+    soup.triangles.push_back({ { 0, i + 1, (i + 1) % n + 1 } });
   const double r = std::sqrt(1 + 1.5 * 1.5), a = 2 * std::asin(std::sin(pi / n) / r);
   const Mesh tm = make_mesh(subdivided(subdivided(soup)));
   Field field(tm);
@@ -347,11 +358,13 @@ void test_cube()
     for(Vertex v : tm.vertices())
     {
       const Vector_3 d = (tm.point(v) - p) / side;
-      std::array<double, 3> c = {{ d.x(), d.y(), d.z() }};
+      std::array<double, 3> c = { { d.x(), d.y(), d.z() } };
       std::sort(c.begin(), c.end());
       // on a face at the corner, or on a face opposite to it, at height 1 over one of the two faces below
-      const double expected = c[0] < 1e-12 ? std::sqrt(c[1] * c[1] + c[2] * c[2])
-                                           : std::sqrt((std::min)((1 + c[0]) * (1 + c[0]) + c[1] * c[1], (1 + c[1]) * (1 + c[1]) + c[0] * c[0]));
+      const double expected =
+        c[0] < 1e-12
+          ? std::sqrt(c[1] * c[1] + c[2] * c[2])
+          : std::sqrt((std::min)((1 + c[0]) * (1 + c[0]) + c[1] * c[1], (1 + c[1]) * (1 + c[1]) + c[0] * c[0]));
       assert(std::fabs(field.distance(v) - side * expected) < 1e-12 * side);
     }
     check_without_windows(tm, field);
@@ -365,10 +378,17 @@ void test_against_CGAL()
   typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> Traits;
   typedef CGAL::Surface_mesh_shortest_path<Traits> Shortest_path;
 
-  std::vector<Soup> soups = { icosphere(3), perturbed(icosphere(3), 0.02, 1), torus(24, 12), perturbed(torus(20, 10), 0.03, 2),
-                              l_prism(3), sheared_cube(4), cylinder(16, 8, true), perturbed(grid(14, 14), 0.03, 4),
+  std::vector<Soup> soups = { icosphere(3),
+                              perturbed(icosphere(3), 0.02, 1),
+                              torus(24, 12),
+                              perturbed(torus(20, 10), 0.03, 2),
+                              l_prism(3),
+                              sheared_cube(4),
+                              cylinder(16, 8, true),
+                              perturbed(grid(14, 14), 0.03, 4),
                               mapped(icosphere(3), [](const Point_3& p) { return Point_3(20 * p.x(), p.y(), p.z()); }),
-                              perturbed(grid_with_hole(12, 12, 4, 8, 3, 9), 0.03, 6), square_ring(2) };
+                              perturbed(grid_with_hole(12, 12, 4, 8, 3, 9), 0.03, 6),
+                              square_ring(2) };
   for(const Soup& soup : soups)
   {
     Mesh tm = make_mesh(soup);
@@ -392,7 +412,8 @@ void test_against_CGAL()
         std::vector<Location> path;
         // two sources may be equally near
         const std::size_t source = field.shortest_path(v, std::back_inserter(path));
-        assert(source < std::size_t(count) && distance(point(tm, path.back()), tm.point(Vertex((n / 3 + int(source) * 17) % n))) < 1e-12);
+        assert(source < std::size_t(count) &&
+               distance(point(tm, path.back()), tm.point(Vertex((n / 3 + int(source) * 17) % n))) < 1e-12);
         assert(std::fabs(length(tm, path) - field.distance(v)) <= 1e-10 * field.distance(v));
       }
       assert(worst < 1e-10);
@@ -405,12 +426,14 @@ void test_against_CGAL()
 void test_real_meshes()
 {
   std::cout << "real meshes" << std::endl;
-  typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_path;
+  typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> Shortest_path;
   int found = 0;
-  for(const char* name : { "eight", "pinion", "elephant", "couplingdown", "head", "hand", "knot1", "mushroom", "rotor", "anchor", "cactus", "handle" })
+  for(const char* name : { "eight", "pinion", "elephant", "couplingdown", "head", "hand", "knot1", "mushroom", "rotor",
+                           "anchor", "cactus", "handle" })
   {
     Mesh tm;
-    if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off"), tm) || !CGAL::is_triangle_mesh(tm))
+    if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off"), tm) ||
+       !CGAL::is_triangle_mesh(tm))
       continue;
     ++found;
     const Vertex v(static_cast<Mesh::size_type>(tm.number_of_vertices() / 2));
@@ -429,16 +452,17 @@ void test_real_meshes()
   std::cout << "  " << found << " found" << std::endl;
 }
 
-// A polyline and ten thousand points on it, on a curved surface: the distance to the curve is never larger, and little smaller.
+// A polyline and ten thousand points on it, on a curved surface: the distance to the curve is never larger, and little
+// smaller.
 void test_sampled_polyline()
 {
   std::cout << "a polyline and points on it" << std::endl;
   const Mesh tm = make_mesh(perturbed(torus(24, 12), 0.02, 8));
   std::vector<Location> line;
   Field leg(tm);
-  leg.add_source(Location(Mesh::Face_index(20), {{ 0.2, 0.5, 0.3 }}));
+  leg.add_source(Location(Mesh::Face_index(20), { { 0.2, 0.5, 0.3 } }));
   leg.propagate();
-  leg.shortest_path(Location(Mesh::Face_index(330), {{ 0.1, 0.3, 0.6 }}), std::back_inserter(line));
+  leg.shortest_path(Location(Mesh::Face_index(330), { { 0.1, 0.3, 0.6 } }), std::back_inserter(line));
   assert(line.size() > 5);
   Field curve(tm), points(tm);
   assert(curve.add_polyline_source(line) == 0);
@@ -454,7 +478,7 @@ void test_sampled_polyline()
     for(int k = 0; k <= n; ++k, ++samples)
     {
       const double t = double(k) / n;
-      Location l(f, {{ 0, 0, 0 }});
+      Location l(f, { { 0, 0, 0 } });
       for(int c = 0; c < 3; ++c)
         l.second[c] = (std::max)(0., (1 - t) * from.second[c] + t * line[i].second[c]);
       points.add_source(l);
@@ -478,16 +502,21 @@ void test_sampled_polyline()
 void test_windows_of_all_edges()
 {
   std::cout << "windows of all edges" << std::endl;
-  typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_path;
-  for(const Soup& soup : { icosphere(3), perturbed(torus(24, 12), 0.03, 2), perturbed(grid_with_hole(12, 12, 4, 8, 3, 9), 0.03, 6), l_prism(3) })
+  typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> Shortest_path;
+  for(const Soup& soup : { icosphere(3), perturbed(torus(24, 12), 0.03, 2),
+                           perturbed(grid_with_hole(12, 12, 4, 8, 3, 9), 0.03, 6), l_prism(3) })
   {
     const Mesh tm = make_mesh(soup);
     Field field(tm);
     Shortest_path reference(tm);
-    const auto add = [&](const Location& l) { field.add_source(l); reference.add_source_point(l.first, l.second); };
-    add(Location(Mesh::Face_index(7), {{ 0.2, 0.5, 0.3 }}));
-    add(Location(Mesh::Face_index(60), {{ 0.4, 0.1, 0.5 }}));
-    add(Location(Mesh::Face_index(90), {{ 0, 1, 0 }}));
+    const auto add = [&](const Location& l)
+    {
+      field.add_source(l);
+      reference.add_source_point(l.first, l.second);
+    };
+    add(Location(Mesh::Face_index(7), { { 0.2, 0.5, 0.3 } }));
+    add(Location(Mesh::Face_index(60), { { 0.4, 0.1, 0.5 } }));
+    add(Location(Mesh::Face_index(90), { { 0, 1, 0 } }));
     const Result result = field.propagate();
     std::size_t n = 0;
     for(auto e : tm.edges())
@@ -499,12 +528,13 @@ void test_windows_of_all_edges()
       const double l = distance(tm.point(tm.source(h)), tm.point(tm.target(h)));
       for(std::size_t i = 0; i < windows.size(); ++i)
         assert(windows[i].begin < windows[i].end && windows[i].begin >= (i == 0 ? 0. : windows[i - 1].end - 1e-10 * l));
-      Location location(tm.face(h), {{ 0, 0, 0 }});
+      Location location(tm.face(h), { { 0, 0, 0 } });
       const int k = h == tm.halfedge(location.first) ? 0 : h == tm.next(tm.halfedge(location.first)) ? 1 : 2;
       for(double part : { 0.05, 0.31, 0.5, 0.77, 0.98 })
       {
         // paths along the edge need no window
-        double found = (std::min)(field.distance(tm.source(h)) + part * l, field.distance(tm.target(h)) + (1 - part) * l);
+        double found =
+          (std::min)(field.distance(tm.source(h)) + part * l, field.distance(tm.target(h)) + (1 - part) * l);
         for(const Field::Window& w : windows)
         {
           const double t = w.from == h ? part * l : (1 - part) * l;
@@ -532,14 +562,14 @@ void test_concurrent_queries()
   Field one(tm), shared(tm);
   for(Field* field : { &one, &shared })
   {
-    field->add_source(Location(Mesh::Face_index(7), {{ 0.2, 0.5, 0.3 }}));
+    field->add_source(Location(Mesh::Face_index(7), { { 0.2, 0.5, 0.3 } }));
     field->add_source(Vertex(300), 0.1);
     field->propagate();
   }
   const int n = int(tm.number_of_faces());
   const auto ask = [&](const Field& field, int i)
   {
-    const Location l(Mesh::Face_index(static_cast<Mesh::size_type>(i)), {{ 0.2, 0.35, 0.45 }});
+    const Location l(Mesh::Face_index(static_cast<Mesh::size_type>(i)), { { 0.2, 0.35, 0.45 } });
     std::vector<Location> path;
     field.shortest_path(l, std::back_inserter(path));
     return std::make_tuple(field.distance(l), field.nearest_source(l), field.gradient(l), length(tm, path));
@@ -550,8 +580,9 @@ void test_concurrent_queries()
   std::atomic<int> differences(0);
   std::vector<std::thread> threads;
   for(int t = 0; t < 4; ++t)
-    threads.emplace_back([&, t]
-    {
+    threads.emplace_back(
+      [&, t]
+      {
       // some begin with the same groups, some elsewhere
       for(int k = 0; k < n; ++k)
       {
@@ -593,7 +624,7 @@ void test_mixed_sources()
   for(auto e : ring)
   {
     auto h = tm.halfedge(e);
-    Location l(tm.face(h), {{ 0, 0, 0 }});
+    Location l(tm.face(h), { { 0, 0, 0 } });
     int k = 0;
     for(auto g = tm.halfedge(l.first); g != h; g = tm.next(g))
       ++k;
@@ -655,14 +686,16 @@ void test_reach()
   for(int i = 1; i <= 12; ++i)
   {
     const Mesh scaled = make_mesh(mapped(perturbed(torus(20, 10), 0.01, 3), [&](const Point_3& p)
-    { return Point_3(0.37 * i * p.x(), 0.37 * i * p.y(), 0.37 * i * p.z()); }));
+                                         { return Point_3(0.37 * i * p.x(), 0.37 * i * p.y(), 0.37 * i * p.z()); }));
     for(double error : { 0., 1e-3 })
     {
       Field kept(scaled), dropped(scaled);
       for(Field* f : { &kept, &dropped })
         f->add_source(Vertex(5));
       kept.propagate(params::relative_distance_error(error));
-      assert(dropped.propagate(params::keep_windows(false).relative_distance_error(error)).number_of_unreached_vertices == 0);
+      assert(
+        dropped.propagate(params::keep_windows(false).relative_distance_error(error)).number_of_unreached_vertices ==
+        0);
       for(Vertex v : scaled.vertices())
         assert(std::fabs(kept.distance(v) - dropped.distance(v)) <= (2 * error + 1e-12) * kept.distance(v));
     }
@@ -672,7 +705,11 @@ void test_reach()
   {
     int calls = 0;
     double last = 0;
-    void progress(double x) { assert(x >= last && x <= 1); last = x; }
+    void progress(double x)
+    {
+      assert(x >= last && x <= 1);
+      last = x;
+    }
     bool go_further() { return ++calls < 5; }
   };
   Stopper stopper;
@@ -736,8 +773,7 @@ void test_refinement()
     else
       field.add_source(Vertex(112));
     field.propagate();
-    const auto expected = [&](const Point_3& q)
-    {
+    const auto expected = [&](const Point_3& q) {
       return from_border ? (std::min)({ q.x(), q.y(), 1 - q.x(), 1 - q.y() }) : distance(p, q);
     };
     Mesh refined;
@@ -745,7 +781,8 @@ void test_refinement()
     const double tolerance = from_border ? 4e-4 : 1e-3;
     const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, tolerance);
     assert(result && result.error <= tolerance && result.number_of_faces == refined.number_of_faces());
-    assert(!from_border || (result.initial_error > 100 * result.error && result.number_of_faces <= 4 * square.number_of_faces()));
+    assert(!from_border ||
+           (result.initial_error > 100 * result.error && result.number_of_faces <= 4 * square.number_of_faces()));
     assert(CGAL::is_triangle_mesh(refined) && refined.is_valid() && CGAL::is_valid_polygon_mesh(refined));
     assert(std::fabs(CGAL::Polygon_mesh_processing::area(refined) - 1) < 1e-12);
     for(Vertex v : refined.vertices())
@@ -754,7 +791,8 @@ void test_refinement()
     {
       const Vertex v = refined.vertex(e, 0), w = refined.vertex(e, 1);
       for(double t : { 0.2, 0.5, 0.7 })
-        assert(std::fabs((1 - t) * d[v] + t * d[w] - expected(refined.point(v) + t * (refined.point(w) - refined.point(v)))) < tolerance + 1e-12);
+        assert(std::fabs((1 - t) * d[v] + t * d[w] -
+                         expected(refined.point(v) + t * (refined.point(w) - refined.point(v)))) < tolerance + 1e-12);
     }
   }
 
@@ -765,7 +803,8 @@ void test_refinement()
   field.propagate();
   Mesh refined;
   auto d = refined.add_property_map<Vertex, double>("v:d", 0).first;
-  const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, 1e-9, params::maximum_number_of_faces(std::size_t(2000)));
+  const auto result = CGAL::Quad_meshing::refine_distance_field(field, refined, d, 1e-9,
+                                                                params::maximum_number_of_faces(std::size_t(2000)));
   assert(!result && result.number_of_faces >= 2000 && result.error < result.initial_error);
   assert(std::count(d.begin(), d.end(), infinity) > 0);
 }
@@ -825,7 +864,7 @@ void test_isolines()
   double last_length = 0;
   for(double value : { 0.05, 0.1, 0.15, 0.99 * to_border })
   {
-    std::vector<std::vector<Point_3> > lines;
+    std::vector<std::vector<Point_3>> lines;
     CGAL::Quad_meshing::trace_isolines(refined, d, value, std::back_inserter(lines));
     assert(lines.size() == 1 && lines[0].front() == lines[0].back());
     double length = 0;
@@ -840,12 +879,12 @@ void test_isolines()
     assert(std::fabs(length - 2 * pi * value) < 0.01 * value && length > last_length);
     last_length = length;
   }
-  std::vector<std::vector<Point_3> > lines;
+  std::vector<std::vector<Point_3>> lines;
   CGAL::Quad_meshing::trace_isolines(refined, d, 1.05 * to_border, std::back_inserter(lines));
   for(const auto& line : lines)
     for(const Point_3& p : { line.front(), line.back() })
       assert(p.x() == 0 || p.y() == 0 || p.x() == 1 || p.y() == 1);
-  assert(! lines.empty());
+  assert(!lines.empty());
 
   // a height on a torus: one circle, then two, then one; nothing at infinity
   Mesh donut = make_mesh(perturbed(torus(40, 20), 0.001, 2));
@@ -869,7 +908,8 @@ void test_isolines()
     }
     return lines.size();
   };
-  assert(count(0.95 * high + 0.05 * low) == 1 && count(0.5 * (high + low)) == 2 && count(0.95 * low + 0.05 * high) == 1);
+  assert(count(0.95 * high + 0.05 * low) == 1 && count(0.5 * (high + low)) == 2 &&
+         count(0.95 * low + 0.05 * high) == 1);
   assert(count(high + 1) == 0);
   for(Vertex v : donut.vertices())
     height[v] = infinity;
@@ -880,7 +920,8 @@ void test_isolines()
 void test_degenerate_faces()
 {
   std::cout << "degenerate faces" << std::endl;
-  // every edge of a grid's diagonal direction gets a vertex in the middle of it twice: two faces of zero area per square
+  // every edge of a grid's diagonal direction gets a vertex in the middle of it twice: two faces of zero area per
+  // square
   const int n = 8;
   for(int kind = 0; kind < 3; ++kind)
   {
@@ -896,24 +937,24 @@ void test_degenerate_faces()
         // two points on the diagonal, the second one only on one side of it: the face (m, m+1, r) has no area
         soup.points.push_back(p + 0.25 * (r - p));
         soup.points.push_back(p + 0.5 * (r - p));
-        soup.triangles[2 * s] = {{ a[0], a[1], m }};
-        soup.triangles.push_back({{ m, a[1], a[2] }});
-        soup.triangles.push_back({{ m, a[2], m + 1 }});
-        soup.triangles[2 * s + 1] = {{ m, m + 1, b[2] }};
-        soup.triangles.push_back({{ m + 1, b[1], b[2] }});
-        soup.triangles.push_back({{ b[0], m, b[2] }});
+        soup.triangles[2 * s] = { { a[0], a[1], m } };
+        soup.triangles.push_back({ { m, a[1], a[2] } });
+        soup.triangles.push_back({ { m, a[2], m + 1 } });
+        soup.triangles[2 * s + 1] = { { m, m + 1, b[2] } };
+        soup.triangles.push_back({ { m + 1, b[1], b[2] } });
+        soup.triangles.push_back({ { b[0], m, b[2] } });
       }
       else
       {
         // a doubled point (or nearly) in the middle
         soup.points.push_back(p + 0.5 * (r - p));
         soup.points.push_back(p + 0.5 * (r - p) + (kind == 1 ? 0. : 1e-9) * Vector_3(-1, 1, 0));
-        soup.triangles[2 * s] = {{ a[0], a[1], m }};
-        soup.triangles.push_back({{ m, a[1], a[2] }});
-        soup.triangles.push_back({{ m, a[2], m + 1 }});
-        soup.triangles.push_back({{ a[0], m, m + 1 }});
-        soup.triangles[2 * s + 1] = {{ a[0], m + 1, b[2] }};
-        soup.triangles.push_back({{ m + 1, b[1], b[2] }});
+        soup.triangles[2 * s] = { { a[0], a[1], m } };
+        soup.triangles.push_back({ { m, a[1], a[2] } });
+        soup.triangles.push_back({ { m, a[2], m + 1 } });
+        soup.triangles.push_back({ { a[0], m, m + 1 } });
+        soup.triangles[2 * s + 1] = { { a[0], m + 1, b[2] } };
+        soup.triangles.push_back({ { m + 1, b[1], b[2] } });
       }
     }
     const Mesh tm = make_mesh(soup);
@@ -930,11 +971,14 @@ void test_degenerate_faces()
   }
 }
 
-// The same algorithm with fifty digits tells the rounding errors of double; with known distances it shows that it has the digits.
+// The same algorithm with fifty digits tells the rounding errors of double; with known distances it shows that it has
+// the digits.
 void test_more_digits()
 {
   std::cout << "fifty digits, and all of them" << std::endl;
-  typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type, boost::multiprecision::et_off> Number;
+  typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
+                                        boost::multiprecision::et_off>
+    Number;
   for(const Soup& soup : { perturbed(torus(12, 8), 0.03, 2), icosphere(2), cylinder(8, 4, false), grid(6, 6) })
   {
     const Mesh tm = make_mesh(soup);
@@ -964,7 +1008,8 @@ void test_more_digits()
   const Point_3 o = square.point(Vertex(0));
   for(Vertex v : square.vertices())
   {
-    const CORE::Expr x = CORE::Expr(square.point(v).x()) - CORE::Expr(o.x()), y = CORE::Expr(square.point(v).y()) - CORE::Expr(o.y());
+    const CORE::Expr x = CORE::Expr(square.point(v).x()) - CORE::Expr(o.x()),
+                     y = CORE::Expr(square.point(v).y()) - CORE::Expr(o.y());
     assert(exact.distance_value(v) == sqrt(x * x + y * y));
   }
 }
@@ -989,14 +1034,16 @@ Soup shuffled(const Soup& soup, std::vector<std::size_t>& number)
   return other;
 }
 
-// How many faces windows cross at a time depends on the number of sources, and how the elements are numbered inside on their places: neither
-// changes a distance, at vertices or in faces. On the needles straight lines wind around the tips, through the same faces again and again.
+// How many faces windows cross at a time depends on the number of sources, and how the elements are numbered inside on
+// their places: neither changes a distance, at vertices or in faces. On the needles straight lines wind around the
+// tips, through the same faces again and again.
 void test_groups()
 {
   std::cout << "groups of faces" << std::endl;
   const auto needle = [](const Point_3& p) { return Point_3(0.05 * p.x(), 0.05 * p.y(), p.z()); };
-  for(const Soup& soup : { perturbed(torus(24, 16), 0.02, 3), perturbed(cube(5), 0.03, 1), uneven_square(16, 2), cube(1), icosphere(0),
-                           mapped(icosphere(3), needle), mapped(perturbed(icosphere(2), 0.05, 4), needle), cone(24, 12, 0.05, 1) })
+  for(const Soup& soup :
+      { perturbed(torus(24, 16), 0.02, 3), perturbed(cube(5), 0.03, 1), uneven_square(16, 2), cube(1), icosphere(0),
+        mapped(icosphere(3), needle), mapped(perturbed(icosphere(2), 0.05, 4), needle), cone(24, 12, 0.05, 1) })
   {
     std::vector<std::size_t> number;
     const Mesh tm = make_mesh(soup), other = make_mesh(shuffled(soup, number));
@@ -1017,7 +1064,7 @@ void test_groups()
       }
       for(auto f : tm.faces())
       {
-        const Location l(f, {{ 0.2, 0.3, 0.5 }});
+        const Location l(f, { { 0.2, 0.3, 0.5 } });
         assert(are_equal(field.distance(l), with_copies.distance(l)));
       }
     }
@@ -1035,7 +1082,8 @@ void test_other_graphs()
   CGAL::Quad_meshing::Geodesic_distance_field<Polyhedron> other(p);
   const auto same = [&](Vertex w)
   {
-    return *std::find_if(vertices(p).begin(), vertices(p).end(), [&](const auto& v) { return v->point() == tm.point(w); });
+    return *std::find_if(vertices(p).begin(), vertices(p).end(),
+                         [&](const auto& v) { return v->point() == tm.point(w); });
   };
   field.add_source(Vertex(0));
   other.add_source(same(Vertex(0)));
@@ -1068,7 +1116,7 @@ void test_gaps()
     auto distance = tm.add_property_map<Vertex, double>("v:distance").first;
     for(Vertex w : tm.vertices())
       distance[w] = field.distance(w);
-    std::vector<std::vector<Point_3> > lines;
+    std::vector<std::vector<Point_3>> lines;
     CGAL::Quad_meshing::trace_isolines(tm, distance, 0.5, std::back_inserter(lines));
     return lines;
   };

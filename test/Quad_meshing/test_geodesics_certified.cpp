@@ -30,12 +30,17 @@ namespace params = CGAL::parameters;
 namespace QM = CGAL::Quad_meshing;
 typedef Mesh::Vertex_index Vertex;
 typedef CGAL::Interval_nt<> Interval;
-typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type, boost::multiprecision::et_off> Number;
+typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
+                                      boost::multiprecision::et_off>
+  Number;
 typedef CGAL::Quad_meshing::internal::Certified_number Certified_number;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool contains(const Certified_number& x, const Number& value) { return Number(x.lower()) <= value && value <= Number(x.upper()); }
+bool contains(const Certified_number& x, const Number& value)
+{
+  return Number(x.lower()) <= value && value <= Number(x.upper());
+}
 
 // The arithmetic under the certificates, against a hundred digits: the intervals hold and are narrow.
 void test_numbers()
@@ -46,7 +51,8 @@ void test_numbers()
   {
     const auto draw = [&] { return std::ldexp(random.get_double(-1., 1.), random.get_int(-40, 40)); };
     const double a = draw(), b = draw(), c = draw();
-    const Certified_number x = Certified_number(a) * Certified_number(b) + Certified_number(c), y = Certified_number::difference(a, c);
+    const Certified_number x = Certified_number(a) * Certified_number(b) + Certified_number(c),
+                           y = Certified_number::difference(a, c);
     const Number u = Number(a) * Number(b) + Number(c), v = Number(a) - Number(c);
     assert(contains(x, u) && contains(y, v));
     assert(contains(x * y - x, u * v - u) && contains(x / y, u / v) && contains(abs(x), abs(u)));
@@ -61,13 +67,13 @@ void test_numbers()
   assert((Certified_number(1) / (Certified_number(1) - Certified_number(1))).upper() == infinity);
 }
 
-// The distances from vertices by brute force: the shortest straight ways between any two vertices in all unfoldings, then the shortest chains
-// of them. Knows nothing of saddles, and drops nothing but what is longer than a given length.
+// The distances from vertices by brute force: the shortest straight ways between any two vertices in all unfoldings,
+// then the shortest chains of them. Knows nothing of saddles, and drops nothing but what is longer than a given length.
 class Oracle
 {
   const Mesh& m_tm;
   Number m_longest;
-  std::vector<std::vector<Number> > m_straight;
+  std::vector<std::vector<Number>> m_straight;
 
   typedef Mesh::Halfedge_index Halfedge;
 
@@ -92,7 +98,7 @@ class Oracle
   void go_on(int from, Halfedge h, const Number& x, const Number& y, const Number& b0, const Number& b1)
   {
     const Number tiny(1e-70);
-    if(m_tm.is_border(h) || ! (b1 - b0 > tiny))
+    if(m_tm.is_border(h) || !(b1 - b0 > tiny))
       return;
     const Number nearest = (std::min)((std::max)(x, b0), b1) - x;
     if(nearest * nearest + y * y > m_longest * m_longest)
@@ -109,7 +115,8 @@ class Oracle
       const Number dx = b - x;
       return (y * (ax - b) - dx * ay) / (dx * (by - ay) - y * (bx - ax));
     };
-    const auto pass = [&](Halfedge g, const Number& ax, const Number& ay, const Number& bx, const Number& by, const Number& from_part, const Number& to_part)
+    const auto pass = [&](Halfedge g, const Number& ax, const Number& ay, const Number& bx, const Number& by,
+                          const Number& from_part, const Number& to_part)
     {
       // the opposite halfedge runs from (bx, by) to (ax, ay), and its face lies on its left
       const Number n = sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay)), ux = (ax - bx) / n, uy = (ay - by) / n;
@@ -124,7 +131,9 @@ class Oracle
 
 public:
   Oracle(const Mesh& tm, double longest)
-    : m_tm(tm), m_longest(longest), m_straight(tm.number_of_vertices(), std::vector<Number>(tm.number_of_vertices(), Number(1e100)))
+    : m_tm(tm)
+    , m_longest(longest)
+    , m_straight(tm.number_of_vertices(), std::vector<Number>(tm.number_of_vertices(), Number(1e100)))
   {
     for(Halfedge h : tm.halfedges())
     {
@@ -140,7 +149,7 @@ public:
     }
   }
 
-  std::vector<Number> distances(const std::vector<std::pair<Vertex, double> >& sources) const
+  std::vector<Number> distances(const std::vector<std::pair<Vertex, double>>& sources) const
   {
     std::vector<Number> d(m_straight.size(), Number(1e100));
     for(const auto& s : sources)
@@ -150,7 +159,7 @@ public:
     {
       std::size_t v = d.size();
       for(std::size_t w = 0; w < d.size(); ++w)
-        if(! done[w] && (v == d.size() || d[w] < d[v]))
+        if(!done[w] && (v == d.size() || d[w] < d[v]))
           v = w;
       done[v] = true;
       for(std::size_t w = 0; w < d.size(); ++w)
@@ -174,10 +183,20 @@ void check_width(const Mesh& tm, const Field& field, const QM::Distance_certific
 void test_against_brute_force()
 {
   std::cout << "brute force" << std::endl;
-  std::vector<Soup> soups = { perturbed(icosphere(1), 0.1, 1), icosphere(0), perturbed(cube(1), 0.1, 3), cube(2), perturbed(torus(6, 4), 0.05, 2),
-                              l_prism(1), perturbed(grid(3, 3), 0.05, 4), grid(3, 3), grid_with_hole(4, 4, 1, 3, 1, 3), fan(8, 1.3, true),
-                              mapped(perturbed(grid(3, 2), 0.02, 5), [](const Point_3& p) { return rotated(Point_3(1000 * p.x(), p.y(), p.z())); }),
-                              mapped(perturbed(cube(1), 0.1, 6), [](const Point_3& p) { return Point_3(p.x() + 1000, 1e-3 * p.y(), p.z()); }) };
+  std::vector<Soup> soups = { perturbed(icosphere(1), 0.1, 1),
+                              icosphere(0),
+                              perturbed(cube(1), 0.1, 3),
+                              cube(2),
+                              perturbed(torus(6, 4), 0.05, 2),
+                              l_prism(1),
+                              perturbed(grid(3, 3), 0.05, 4),
+                              grid(3, 3),
+                              grid_with_hole(4, 4, 1, 3, 1, 3),
+                              fan(8, 1.3, true),
+                              mapped(perturbed(grid(3, 2), 0.02, 5),
+                                     [](const Point_3& p) { return rotated(Point_3(1000 * p.x(), p.y(), p.z())); }),
+                              mapped(perturbed(cube(1), 0.1, 6),
+                                     [](const Point_3& p) { return Point_3(p.x() + 1000, 1e-3 * p.y(), p.z()); }) };
   for(unsigned int seed = 0; seed < 6; ++seed)
     soups.push_back(perturbed(icosphere(0), 0.4, 20 + seed));
   double widest = 0;
@@ -192,14 +211,14 @@ void test_against_brute_force()
     const Oracle oracle(tm, longest);
     for(int test = 0; test < 3; ++test)
     {
-      std::vector<std::pair<Vertex, double> > sources(1, std::make_pair(test == 1 ? b : a, 0.));
+      std::vector<std::pair<Vertex, double>> sources(1, std::make_pair(test == 1 ? b : a, 0.));
       if(test == 2)
         sources.emplace_back(b, 0.25 * longest);
       field.clear();
       for(const auto& s : sources)
         field.add_source(s.first, s.second);
       if(field.propagate().maximum_distance > longest)
-        continue;        // the brute force did not go that far
+        continue; // the brute force did not go that far
       const auto certificate = QM::certify_distances(field, enclosures);
       check_width(tm, field, certificate, enclosures);
       const std::vector<Number> exact = oracle.distances(sources);
@@ -227,12 +246,14 @@ void test_known_distances()
   for(Vertex v : tm.vertices())
   {
     const Point_3& p = tm.point(v);
-    const Number exact = (std::min)({ Number(p.x()), Number(p.y()), Number(1) - Number(p.x()), Number(1) - Number(p.y()) });
+    const Number exact =
+      (std::min)({ Number(p.x()), Number(p.y()), Number(1) - Number(p.x()), Number(1) - Number(p.y()) });
     assert(Number(enclosures[v].inf()) <= exact && exact <= Number(enclosures[v].sup()));
   }
 
   // a polyline with a leg in the interior of faces, and a point in a face: what is added moves by rounding
-  const Location p(Mesh::Face_index(60), {{ 0.2, 0.3, 0.5 }}), q(Mesh::Face_index(60), {{ 0.6, 0.3, 0.1 }}), r(Mesh::Face_index(200), {{ 0.4, 0.4, 0.2 }});
+  const Location p(Mesh::Face_index(60), { { 0.2, 0.3, 0.5 } }), q(Mesh::Face_index(60), { { 0.6, 0.3, 0.1 } }),
+    r(Mesh::Face_index(200), { { 0.4, 0.4, 0.2 } });
   field.clear();
   field.add_polyline_source(std::vector<Location>{ p, q });
   field.add_source(r, 0.1);
@@ -242,16 +263,19 @@ void test_known_distances()
   assert(certificate.largest_relative_width < 1e-10);
   for(Vertex v : tm.vertices())
   {
-    const double d = (std::min)(distance_to_segment(tm.point(v), point(tm, p), point(tm, q)), 0.1 + distance(tm.point(v), point(tm, r)));
+    const double d = (std::min)(distance_to_segment(tm.point(v), point(tm, p), point(tm, q)),
+                                0.1 + distance(tm.point(v), point(tm, r)));
     assert(enclosures[v].inf() <= d + 1e-15 && d - 1e-15 <= enclosures[v].sup());
   }
 }
 
-// The points in which the segment pq meets the edges of a mesh in the plane z = 0, in their order, between those of its ends.
+// The points in which the segment pq meets the edges of a mesh in the plane z = 0, in their order, between those of its
+// ends.
 std::vector<Location> traced(const Mesh& tm, const Point_3& p, const Point_3& q)
 {
-  std::vector<std::pair<double, Location> > found;
-  const auto side = [&](const Point_3& x) { return (q.x() - p.x()) * (x.y() - p.y()) - (q.y() - p.y()) * (x.x() - p.x()); };
+  std::vector<std::pair<double, Location>> found;
+  const auto side = [&](const Point_3& x)
+  { return (q.x() - p.x()) * (x.y() - p.y()) - (q.y() - p.y()) * (x.x() - p.x()); };
   for(auto e : tm.edges())
   {
     auto h = tm.halfedge(e);
@@ -259,13 +283,13 @@ std::vector<Location> traced(const Mesh& tm, const Point_3& p, const Point_3& q)
       h = tm.opposite(h);
     const Point_3 &a = tm.point(tm.source(h)), &b = tm.point(tm.target(h));
     const double s = side(a) / (side(a) - side(b));
-    if(! (side(a) * side(b) < 0))
+    if(!(side(a) * side(b) < 0))
       continue;
     const Point_3 x = a + s * (b - a);
     const double t = ((x - p) * (q - p)) / ((q - p) * (q - p));
-    if(! (0 < t && t < 1))
+    if(!(0 < t && t < 1))
       continue;
-    Location l(tm.face(h), {{ 0, 0, 0 }});
+    Location l(tm.face(h), { { 0, 0, 0 } });
     auto g = tm.halfedge(l.first);
     for(int k = 0; k < 3; ++k, g = tm.next(g))
       if(g == h)
@@ -326,7 +350,8 @@ void test_bad_fields()
   const auto holds = [&]
   {
     for(Vertex v : tm.vertices())
-      assert(enclosures[v].inf() <= exact.distance(v) * (1 + 1e-13) && exact.distance(v) * (1 - 1e-13) <= enclosures[v].sup());
+      assert(enclosures[v].inf() <= exact.distance(v) * (1 + 1e-13) &&
+             exact.distance(v) * (1 - 1e-13) <= enclosures[v].sup());
   };
   assert(QM::certify_distances(exact, enclosures).largest_relative_width < 1e-10);
   holds();
@@ -336,9 +361,10 @@ void test_bad_fields()
   field.propagate(params::distance_limit(0.5));
   QM::certify_distances(field, enclosures);
   for(Vertex v : tm.vertices())
-    assert(! field.is_reached(v) || (enclosures[v].inf() <= exact.distance(v) && exact.distance(v) <= enclosures[v].sup() * (1 + 1e-13)));
+    assert(!field.is_reached(v) ||
+           (enclosures[v].inf() <= exact.distance(v) && exact.distance(v) <= enclosures[v].sup() * (1 + 1e-13)));
   field.propagate(params::keep_windows(false));
-  assert(! QM::certify_distances(field, enclosures));
+  assert(!QM::certify_distances(field, enclosures));
   holds();
   struct Stopper : QM::Default_visitor
   {
@@ -346,7 +372,7 @@ void test_bad_fields()
     bool go_further() { return ++calls < 3; }
   };
   Stopper stopper;
-  assert(! QM::certify_distances(exact, enclosures, params::visitor(std::ref(stopper))));
+  assert(!QM::certify_distances(exact, enclosures, params::visitor(std::ref(stopper))));
   holds();
 
   // components without a source, doubled points, faces without area
@@ -362,9 +388,9 @@ void test_bad_fields()
   const Triangle t = soup.triangles[5];
   const std::size_t doubled = soup.points.size();
   soup.points.push_back(soup.points[t[1]]);
-  soup.triangles[5] = {{ t[0], doubled, t[2] }};
-  soup.triangles.push_back({{ t[0], t[1], doubled }});
-  soup.triangles.push_back({{ doubled, t[1], t[2] }});
+  soup.triangles[5] = { { t[0], doubled, t[2] } };
+  soup.triangles.push_back({ { t[0], t[1], doubled } });
+  soup.triangles.push_back({ { doubled, t[1], t[2] } });
   Mesh degenerate = make_mesh(soup);
   auto d = degenerate.add_property_map<Vertex, Interval>("v:enclosure").first;
   Field flat(degenerate);
@@ -396,22 +422,25 @@ void test_interval_field()
   }
 }
 
-// What was once wrong, too little for the distances of vertices to show it: shadows of saddles so shallow that they passed for rounding, and
-// ridges between two sources of one distance up to rounding.
+// What was once wrong, too little for the distances of vertices to show it: shadows of saddles so shallow that they
+// passed for rounding, and ridges between two sources of one distance up to rounding.
 void test_narrow_windows()
 {
   std::cout << "narrow windows" << std::endl;
   std::vector<Soup> soups;
   const auto rounded = [](double x) { return std::round(x * 1e6) / 1e6; };
   for(double height : { 0., 1e-6, 1e-4 })
-    soups.push_back(mapped(grid(24, 24), [&](const Point_3& p)
-    {
+    soups.push_back(mapped(grid(24, 24),
+                           [&](const Point_3& p)
+                           {
       const Point_3 q = rotated(Point_3(p.x(), p.y(), height * std::sin(40 * p.x()) * std::sin(50 * p.y())));
       return Point_3(rounded(q.x()), rounded(q.y()), rounded(q.z()));
     }));
   for(double frequency : { 12., 17., 25. })
-    soups.push_back(mapped(grid(24, 24), [&](const Point_3& p)
-    { return Point_3(p.x(), p.y(), 0.1 * std::cos(frequency * (p.x() - 0.5)) * std::cos(frequency * (p.y() - 0.5))); }));
+    soups.push_back(mapped(grid(24, 24),
+                           [&](const Point_3& p) {
+      return Point_3(p.x(), p.y(), 0.1 * std::cos(frequency * (p.x() - 0.5)) * std::cos(frequency * (p.y() - 0.5)));
+    }));
   for(const Soup& soup : soups)
   {
     Mesh tm = make_mesh(soup);
@@ -434,7 +463,7 @@ void test_real_meshes()
   for(const char* name : { "eight", "pinion", "couplingdown", "elephant", "anchor_dense", "fandisk" })
   {
     Mesh tm;
-    if(! CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off"), tm))
+    if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off"), tm))
       continue;
     auto enclosures = tm.add_property_map<Vertex, Interval>("v:enclosure").first;
     Field field(tm);
@@ -448,14 +477,13 @@ void test_real_meshes()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "numbers", test_numbers },
-    { "against_brute_force", test_against_brute_force },
-    { "known_distances", test_known_distances },
-    { "crossing_polylines", test_crossing_polylines },
-    { "bad_fields", test_bad_fields },
-    { "interval_field", test_interval_field },
-    { "narrow_windows", test_narrow_windows },
-    { "real_meshes", test_real_meshes }
-  });
+  return run_cases(argc, argv,
+                   { { "numbers", test_numbers },
+                     { "against_brute_force", test_against_brute_force },
+                     { "known_distances", test_known_distances },
+                     { "crossing_polylines", test_crossing_polylines },
+                     { "bad_fields", test_bad_fields },
+                     { "interval_field", test_interval_field },
+                     { "narrow_windows", test_narrow_windows },
+                     { "real_meshes", test_real_meshes } });
 }

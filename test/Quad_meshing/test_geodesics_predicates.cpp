@@ -6,8 +6,9 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The predicates of windows against arithmetic of a hundred digits, on stored numbers for which the answer is a matter of the last digits. The same
-// formulas in double are wrong on many of them, which is asserted too: else the numbers would test nothing.
+// The predicates of windows against arithmetic of a hundred digits, on stored numbers for which the answer is a matter
+// of the last digits. The same formulas in double are wrong on many of them, which is asserted too: else the numbers
+// would test nothing.
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Turning_angle.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
@@ -25,7 +26,9 @@
 #include <vector>
 
 namespace QM = CGAL::Quad_meshing::internal;
-typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type, boost::multiprecision::et_off> Number;
+typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
+                                      boost::multiprecision::et_off>
+  Number;
 typedef QM::Window<double> Window;
 typedef QM::Window_predicates<double> Predicates;
 typedef QM::Window_comparisons<double> Comparisons;
@@ -109,7 +112,8 @@ void test_distances()
   for(int scale = -30; scale <= 30; ++scale)
   {
     const double s = std::ldexp(1., scale);
-    const Window v = circular(-3 * s, 4 * s, 8 * s), w = circular(12 * s, 5 * s, 0), line = Window{ 0., 1., 0.6, 0.8, 13 * s, 0, true, true, true, 0.f };
+    const Window v = circular(-3 * s, 4 * s, 8 * s), w = circular(12 * s, 5 * s, 0),
+                 line = Window{ 0., 1., 0.6, 0.8, 13 * s, 0, true, true, true, 0.f };
     for(const Window& other : { w, line, circular(3 * s, 4 * s, 8 * s) })
     {
       assert(Comparisons::compare_distances(v, v.distance(0), other, other.distance(0), 0, 0) == 0);
@@ -134,17 +138,19 @@ void test_ways()
     const double a = i % 2 == 0 ? t : length, from = i % 2 == 0 ? 0. : t;
     double d = w.distance(t) / (1 + slack) - (a - from);
     if(i % 5 == 0)
-      d = -d;          // sources may begin with a negative distance
+      d = -d; // sources may begin with a negative distance
     d = moved(d, random_numbers().get_int(-6, 7));
     const Number way = Number(a) - Number(from);
-    const bool expected = sign(Number(w.sigma) + rest(w, t) - Number(d) - way - Number(slack) * (abs(Number(d)) + way)) > 0;
+    const bool expected =
+      sign(Number(w.sigma) + rest(w, t) - Number(d) - way - Number(slack) * (abs(Number(d)) + way)) > 0;
     assert(Comparisons::is_beyond(w, t, d, a, from, slack) == expected);
     wrong += (w.distance(t) > (d + (a - from)) * (1 + slack)) != expected;
     longer += expected;
-    assert(! Predicates::is_longer_than_way(w, t, 1e300, a, from));          // a vertex that is not reached yet
+    assert(!Predicates::is_longer_than_way(w, t, 1e300, a, from)); // a vertex that is not reached yet
   }
   assert(wrong > 100 && longer > 2500 && longer < 7500);
-  assert(! Comparisons::is_beyond(circular(3, 4, 2), 0, 6, 1, 0, 0) && Comparisons::is_beyond(circular(3, 4, moved(2, 1)), 0, 6, 1, 0, 0));
+  assert(!Comparisons::is_beyond(circular(3, 4, 2), 0, 6, 1, 0, 0) &&
+         Comparisons::is_beyond(circular(3, 4, moved(2, 1)), 0, 6, 1, 0, 0));
 }
 
 // Points on the ray through a place, or a rounding error beside it, from sources near and far.
@@ -156,20 +162,22 @@ void test_rays()
   {
     Window w = draw_window();
     const double far = std::pow(10., random_numbers().get_int(0, 13));
-    if(! w.linear)
+    if(!w.linear)
     {
       w.x *= far;
       w.y *= i % 2 == 0 ? far : 1.;
     }
     const double b = draw(0, 1), height = draw(0, 2), slack = i % 3 == 0 ? 0. : i % 3 == 1 ? 1e-11 : -1e-6;
-    if(! (w.y > 0))
+    if(!(w.y > 0))
       continue;
     const double rise = w.linear ? w.x : b + slack - w.x;
-    const double x = moved(b + slack + rise * height / w.y, random_numbers().get_int(-2, 3)), y = i % 7 == 0 ? 0. : height;
+    const double x = moved(b + slack + rise * height / w.y, random_numbers().get_int(-2, 3)),
+                 y = i % 7 == 0 ? 0. : height;
     const Number place = Number(b) + Number(slack), cx(x), cy(y), wx(w.x), wy(w.y);
     const Number reached = w.linear ? Number(cx - cy * wx / wy) : Number(wx + (cx - wx) * wy / (cy + wy));
     const int expected = sign((reached - place) / (1 + abs(wx)));
-    assert(Comparisons::is_right_of(w, x, y, b, slack) == (expected > 0) && Comparisons::is_left_of(w, x, y, b, slack) == (expected < 0));
+    assert(Comparisons::is_right_of(w, x, y, b, slack) == (expected > 0) &&
+           Comparisons::is_left_of(w, x, y, b, slack) == (expected < 0));
     const double t = w.place_of_ray(x, y);
     wrong += (t - b > slack) != (expected > 0) || (t - b < slack) != (expected < 0);
     ++answers[expected + 1];
@@ -177,8 +185,10 @@ void test_rays()
     // the same as a side of the ray, for points on both sides of the edge
     for(const Number& h : { cy, Number(-0.5) })
     {
-      const double py = static_cast<double>(h), px = moved(b + (w.linear ? w.x : b - w.x) * py / w.y, random_numbers().get_int(-2, 3));
-      const Number side = Number(w.y) * (Number(px) - Number(b)) - (w.linear ? Number(w.x) : Number(Number(b) - Number(w.x))) * Number(py);
+      const double py = static_cast<double>(h),
+                   px = moved(b + (w.linear ? w.x : b - w.x) * py / w.y, random_numbers().get_int(-2, 3));
+      const Number side = Number(w.y) * (Number(px) - Number(b)) -
+                          (w.linear ? Number(w.x) : Number(Number(b) - Number(w.x))) * Number(py);
       assert(Comparisons::is_right_of_ray(w, px, py, b) == (sign(side) > 0));
     }
   }
@@ -194,9 +204,9 @@ void test_rays()
         {
           const int rise = v.linear ? x : 1 - x;
           const double px = 1 + k * rise, py = k * y, above = moved(px, 1), below = moved(px, -1);
-          assert(! Comparisons::is_right_of(v, px, py, 1, 0) && ! Comparisons::is_left_of(v, px, py, 1, 0));
+          assert(!Comparisons::is_right_of(v, px, py, 1, 0) && !Comparisons::is_left_of(v, px, py, 1, 0));
           assert(Comparisons::is_right_of(v, above, py, 1, 0) && Comparisons::is_left_of(v, below, py, 1, 0));
-          assert(! Comparisons::is_right_of_ray(v, px, py, 1) && Comparisons::is_right_of_ray(v, above, py, 1));
+          assert(!Comparisons::is_right_of_ray(v, px, py, 1) && Comparisons::is_right_of_ray(v, above, py, 1));
         }
       }
 }
@@ -210,7 +220,8 @@ void test_widths()
   {
     // every other slack is about as large as the numbers are, where the difference has digits to lose
     const int digits_less = random_numbers().get_int(0, 2) * random_numbers().get_int(0, 60);
-    const double slack = std::ldexp(draw(0.5, 1), -digits_less), a = draw(-1, 1), b = moved(a + slack, random_numbers().get_int(-1, 2));
+    const double slack = std::ldexp(draw(0.5, 1), -digits_less), a = draw(-1, 1),
+                 b = moved(a + slack, random_numbers().get_int(-1, 2));
     const bool expected = Number(b) - Number(a) > Number(slack);
     assert(Comparisons::is_wider(a, b, slack) == expected);
     wrong += (b - a > slack) != expected;
@@ -218,10 +229,11 @@ void test_widths()
     const Window w = draw_window();
     const double gap = w.largest_gap(b, 1), end = moved(b + gap, random_numbers().get_int(-1, 2));
     assert(Predicates::is_closed_gap(w, b, end, b, 1) == (Number(end) - Number(b) <= Number(gap)));
-    assert(Predicates::is_closed_gap(w, b, b, b, 1) && ! Predicates::is_closed_gap(w, b, b + 2e-4, b, 1));
+    assert(Predicates::is_closed_gap(w, b, b, b, 1) && !Predicates::is_closed_gap(w, b, b + 2e-4, b, 1));
 
     Window v = w;
-    const double scale = w.linear ? 1. : std::fabs(w.b1 - w.x) + w.y, close = QM::Window_tolerances<double>::source() * scale;
+    const double scale = w.linear ? 1. : std::fabs(w.b1 - w.x) + w.y,
+                 close = QM::Window_tolerances<double>::source() * scale;
     v.x = moved(w.x + close, random_numbers().get_int(-1, 2));
     assert(Predicates::have_same_source(w, v) == (Number(v.x) - Number(w.x) <= Number(close)));
   }
@@ -247,9 +259,10 @@ void test_angles()
       angle += a;
     }
     const double last = half_turns * std::acos(-1.) + (i % 4 == 0 ? 0. : slack) - angle;
-    if(! (last > 0) || last > std::acos(-1.))
+    if(!(last > 0) || last > std::acos(-1.))
       continue;
-    corners.push_back(QM::Turning_angle::Vector{ moved(std::cos(last), random_numbers().get_int(-3, 4)), moved(std::sin(last), random_numbers().get_int(-3, 4)) });
+    corners.push_back(QM::Turning_angle::Vector{ moved(std::cos(last), random_numbers().get_int(-3, 4)),
+                                                 moved(std::sin(last), random_numbers().get_int(-3, 4)) });
     if(corners.back().y < 0)
       continue;
     QM::Turning_angle sum;
@@ -263,7 +276,12 @@ void test_angles()
     }
     const bool expected = exact > half_turns * pi + atan(Number(slack));
     assert(QM::Turning_angle::exceeds_exactly(corners, half_turns, slack) == expected);
-    assert(sum.exceeds(half_turns, slack, [&] { ++doubts; return expected; }) == expected);
+    assert(sum.exceeds(half_turns, slack,
+                       [&]
+                       {
+      ++doubts;
+      return expected;
+    }) == expected);
     wrong += (plain > half_turns * std::acos(-1.) + slack) != expected;
     ++answers[expected];
   }
@@ -271,14 +289,17 @@ void test_angles()
 
   // right angles, straight ones and none
   typedef QM::Turning_angle::Vector V;
-  for(const std::vector<V>& corners : { std::vector<V>{ { 0, 3 }, { 0, 1 }, { 0, 5 }, { 0, 2 } }, std::vector<V>{ { -2, 0 }, { -7, 0 } },
-                                        std::vector<V>{ { -1, 0 }, { 3, 0 }, { 0, 1 }, { 0, 1 } }, std::vector<V>{ { 1, 3 }, { 3, 1 }, { -5, 0 }, { 0, 4 } } })
+  for(const std::vector<V>& corners :
+      { std::vector<V>{ { 0, 3 }, { 0, 1 }, { 0, 5 }, { 0, 2 } }, std::vector<V>{ { -2, 0 }, { -7, 0 } },
+        std::vector<V>{ { -1, 0 }, { 3, 0 }, { 0, 1 }, { 0, 1 } },
+        std::vector<V>{ { 1, 3 }, { 3, 1 }, { -5, 0 }, { 0, 4 } } })
   {
     QM::Turning_angle sum;
     for(const V& c : corners)
       sum.add(c.x, c.y);
-    const auto exactly = [&](int n, double slack) { return sum.exceeds(n, slack, [&] { return QM::Turning_angle::exceeds_exactly(corners, n, slack); }); };
-    assert(exactly(1, 0) && ! exactly(2, 0) && ! exactly(2, 1e-14) && exactly(2, -1e-14) && ! exactly(3, 0));
+    const auto exactly = [&](int n, double slack)
+    { return sum.exceeds(n, slack, [&] { return QM::Turning_angle::exceeds_exactly(corners, n, slack); }); };
+    assert(exactly(1, 0) && !exactly(2, 0) && !exactly(2, 1e-14) && exactly(2, -1e-14) && !exactly(3, 0));
   }
 }
 

@@ -61,7 +61,7 @@ Figures figures_of(const Flat_mesh& m)
     for(int k = 0; k < 4; ++k)
       ++faces_at[std::minmax(c[k], c[(k + 1) % 4])];
   std::vector<int> valence(nv, 0);
-  std::vector<std::vector<int> > along_border(nv);
+  std::vector<std::vector<int>> along_border(nv);
   for(const auto& e : faces_at)
   {
     const int a = e.first.first, b = e.first.second;
@@ -99,10 +99,7 @@ Figures figures_of(const Flat_mesh& m)
   return r;
 }
 
-Flat_mesh flat(const SM::Quad_soup& soup)
-{
-  return QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh;
-}
+Flat_mesh flat(const SM::Quad_soup& soup) { return QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh; }
 
 bool is_sound(const Flat_mesh& m)
 {
@@ -149,8 +146,8 @@ int random_operators(const char* name, const SM::Quad_soup& soup, int wanted, un
     ++done;
     m = result.number_of_faces() * 3 < input.number_of_faces() ? input : result;
   }
-  std::cout << "  " << name << ": " << done << " operators, " << crossings << " faces passed twice, "
-            << failures << " failures" << std::endl;
+  std::cout << "  " << name << ": " << done << " operators, " << crossings << " faces passed twice, " << failures
+            << " failures" << std::endl;
   return done;
 }
 
@@ -162,7 +159,8 @@ void test_random_operators()
   for(const auto& p : ball.points)
     points.emplace_back(p.x(), p.y(), p.z());
   int done = 0;
-  done += random_operators("sphere, 32 x 3 patches refined", SM::refined(SM::split_triangles(points, ball.triangles), 2), 1500, 1);
+  done += random_operators("sphere, 32 x 3 patches refined",
+                           SM::refined(SM::split_triangles(points, ball.triangles), 2), 1500, 1);
   done += random_operators("cube", SM::cube(8), 4000, 2);
   done += random_operators("torus with a helix", SM::rolled(16, 12, 2, true), 3000, 3);
   done += random_operators("cylinder with a helix", SM::rolled(16, 12, 1, false), 3000, 4);
@@ -185,7 +183,8 @@ void test_graph_interface(const char* name)
     std::vector<halfedge_descriptor> all;
     for(halfedge_descriptor h : halfedges(qm))
       all.push_back(h);
-    const auto op = QM::find_grid_preserving_operator(qm, all[random.get_int(0, int(all.size()))], Kind(random.get_int(0, 3)));
+    const auto op =
+      QM::find_grid_preserving_operator(qm, all[random.get_int(0, int(all.size()))], Kind(random.get_int(0, 3)));
     if(op.empty() || !QM::apply_grid_preserving_operator(qm, op))
       continue;
     ++done;
@@ -211,7 +210,13 @@ void test_constraints()
       fixed += std::abs(p[k]) == 1 && p[k] == q[k];
     return fixed == 2;
   };
-  auto marked = [&] { std::size_t n = 0; for(auto e : qm.edges()) n += feature[e]; return n; };
+  auto marked = [&]
+  {
+    std::size_t n = 0;
+    for(auto e : qm.edges())
+      n += feature[e];
+    return n;
+  };
   for(auto e : qm.edges())
     feature[e] = on_cube_edge(e);
   assert(marked() == 12 * 6);
@@ -247,7 +252,8 @@ void test_constraints()
   assert(!cheap.empty());
   const Mesh::Edge_index avoided = sphere.edge(cheap[cheap.size() / 2].halfedge);
   auto cost = [&](const QM::Grid_preserving_step<Mesh>& s) { return sphere.edge(s.halfedge) == avoided ? 1e6 : 1.; };
-  const auto detour = QM::find_grid_preserving_operator(sphere, start, Kind::COLLAPSE,
+  const auto detour = QM::find_grid_preserving_operator(
+    sphere, start, Kind::COLLAPSE,
     CGAL::parameters::operator_step_cost(std::function<double(const QM::Grid_preserving_step<Mesh>&)>(cost)));
   for(const auto& s : detour)
     assert(sphere.edge(s.halfedge) != avoided);
@@ -276,7 +282,8 @@ void test_dual_curve_operators()
   assert(left.size() == 7 && QM::apply_grid_preserving_operator(torus, left));
   assert(torus.number_of_faces() == 63);
   const auto helices = QM::minimal_q_helices(torus);
-  assert(helices.size() == 1 && std::abs(helices[0].pitch) == 1 && helices[0].turn_length == 9 && helices[0].length == 63);
+  assert(helices.size() == 1 && std::abs(helices[0].pitch) == 1 && helices[0].turn_length == 9 &&
+         helices[0].length == 63);
   Mesh::Halfedge_index g = *torus.halfedges().begin();
   while(QM::dual_curve_operator(torus, g, Kind::COLLAPSE).size() != 7)
     ++g;
@@ -294,10 +301,10 @@ void test_dual_curve_operators()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "random_operators", test_random_operators },
-    { "surface_mesh", [] { test_graph_interface<Mesh>("Surface_mesh"); } },
-    { "polyhedron", [] { test_graph_interface<Polyhedron>("Polyhedron_3"); } },
-    { "constraints", test_constraints },
-    { "dual_curve_operators", test_dual_curve_operators } });
+  return run_cases(argc, argv,
+                   { { "random_operators", test_random_operators },
+                     { "surface_mesh", [] { test_graph_interface<Mesh>("Surface_mesh"); } },
+                     { "polyhedron", [] { test_graph_interface<Polyhedron>("Polyhedron_3"); } },
+                     { "constraints", test_constraints },
+                     { "dual_curve_operators", test_dual_curve_operators } });
 }

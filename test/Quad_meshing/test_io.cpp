@@ -12,8 +12,8 @@
 #include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 
-#include "test_meshes.h"
 #include "test_cases.h"
+#include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -56,7 +56,7 @@ void write_text(const std::string& filename, const std::string& text)
   std::ofstream(filename, std::ios::binary) << text;
 }
 
-std::string off_text(const Soup& soup, const std::vector<std::vector<std::size_t> >& more_faces = {})
+std::string off_text(const Soup& soup, const std::vector<std::vector<std::size_t>>& more_faces = {})
 {
   std::ostringstream os;
   os.precision(17);
@@ -159,7 +159,7 @@ void test_formats()
   const auto np = CGAL::parameters::stream_precision(17);
   const auto text_np = CGAL::parameters::stream_precision(17).use_binary_mode(false);
   for(const std::string filename :
-      {"torus.off", "torus.OBJ", "torus.ply", "torus_text.ply", "torus.stl", "torus_text.stl"})
+      { "torus.off", "torus.OBJ", "torus.ply", "torus_text.ply", "torus.stl", "torus_text.stl" })
   {
     std::ofstream out(filename, std::ios::binary);
     const bool as_text = filename.find("text") != std::string::npos;
@@ -212,9 +212,8 @@ void test_formats()
   Mesh t;
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
   assert(read_text(
-      "a.off",
-      "# comment\nOFF # more\n\n3 1 0\r\n0 0 0 1 1 # first\r\n+1 0 0 0.5 0.5\r\n0 1e0 -0 0 1\r\n3 0 1 2 255 0 0\r\n",
-      t));
+    "a.off",
+    "# comment\nOFF # more\n\n3 1 0\r\n0 0 0 1 1 # first\r\n+1 0 0 0.5 0.5\r\n0 1e0 -0 0 1\r\n3 0 1 2 255 0 0\r\n", t));
   assert(t.number_of_faces() == 1 && t.point(Mesh::Vertex_index(1)) == Point_3(1, 0, 0));
   assert(read_text("b.off", "OFF 3 1 0\n" + points + "3 0 1 2", t) && t.number_of_faces() == 1);
   assert(read_text("c.off", "COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n", t));
@@ -241,10 +240,14 @@ void test_refused()
   check_refused("garbage.obj", "hello world\n", Status::MALFORMED_FILE, "Line 1");
   check_refused("huge.off", "OFF\n999999999999 5 0\n0 0 0\n", Status::MALFORMED_FILE, "999999999999");
   check_refused("negative.off", "OFF\n-4 1 0\n" + square, Status::MALFORMED_FILE, "-4");
-  check_refused("huge.ply", "ply\nformat ascii 1.0\nelement vertex 999999999999\nproperty float x\nproperty float y\n"
-                "property float z\nend_header\n", Status::MALFORMED_FILE, "999999999999");
-  check_refused("short.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                "property float z\nend_header\n0 0 0\n", Status::MALFORMED_FILE, "");
+  check_refused("huge.ply",
+                "ply\nformat ascii 1.0\nelement vertex 999999999999\nproperty float x\nproperty float y\n"
+                "property float z\nend_header\n",
+                Status::MALFORMED_FILE, "999999999999");
+  check_refused("short.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                "property float z\nend_header\n0 0 0\n",
+                Status::MALFORMED_FILE, "");
   check_refused("word.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 x1 0\n0 1 0\n4 0 1 2 3\n", Status::MALFORMED_FILE, "Line 5");
   check_refused("truncated.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n", Status::MALFORMED_FILE, "ends");
   check_refused("truncated_face.off", "OFF\n4 1 0\n" + square + "4 0 1 2\n", Status::MALFORMED_FILE, "Line 7");
@@ -302,8 +305,10 @@ void test_repaired()
   assert(result && mentions(result, "1 face was reversed") && number_of_borders(tm) == 2);
 
   // Polygons, one of them not convex.
-  result = read_text("polygons.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv 2 -2 0\nv 0 -2 0\n"
-                     "f 1 2 3 4 5\nf 2 1 7 6\n", tm);
+  result = read_text("polygons.obj",
+                     "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv 2 -2 0\nv 0 -2 0\n"
+                     "f 1 2 3 4 5\nf 2 1 7 6\n",
+                     tm);
   assert(result && mentions(result, "2 polygons were triangulated") && tm.number_of_faces() == 5 &&
          is_near(PMP::area(tm), 6.5));
 
@@ -314,7 +319,7 @@ void test_repaired()
     for(std::size_t& v : t)
       ++v;
   soup.triangles.push_back(soup.triangles[5]);
-  soup.triangles.push_back({{ soup.triangles[7][1], soup.triangles[7][0], soup.triangles[7][2] }});
+  soup.triangles.push_back({ { soup.triangles[7][1], soup.triangles[7][0], soup.triangles[7][2] } });
   result = read_text("twice.off", off_text(soup), tm);
   assert(result && mentions(result, "1 face equal to another one was dropped") &&
          mentions(result, "1 vertex without a face"));
@@ -327,8 +332,8 @@ void test_repaired()
     soup = cube;
     const std::size_t a = soup.triangles[0][0], b = soup.triangles[0][1], tip = soup.points.size();
     soup.points.push_back(soup.points[a] + size * (Point_3(-1, -1, -1) - soup.points[a]));
-    soup.triangles.push_back({{ a, b, tip }});
-    soup.triangles.push_back({{ b, a, tip }});
+    soup.triangles.push_back({ { a, b, tip } });
+    soup.triangles.push_back({ { b, a, tip } });
     result = read_text("fin.off", off_text(soup), tm);
     assert(result && mentions(result, "2 faces of fins") == (size < 1));
     assert(number_of_components(tm) == (size < 1 ? 1 : 2) && number_of_borders(tm) == number_of_components(tm) - 1);
@@ -342,7 +347,7 @@ void test_repaired()
     const std::size_t n = soup.points.size();
     for(std::size_t v : t)
       soup.points.push_back(cube.points[v]);
-    soup.triangles.push_back({{ n, n + 1, n + 2 }});
+    soup.triangles.push_back({ { n, n + 1, n + 2 } });
   }
   result = read_text("scattered.off", off_text(soup), tm);
   assert(result && mentions(result, "merged") && CGAL::is_closed(tm) && tm.number_of_vertices() == 56);
@@ -390,13 +395,15 @@ void test_repaired()
   soup = floor;
   const std::size_t top = soup.points.size();
   soup.points.push_back(floor.points[11] + test_meshes::Vector_3(0, 0, 1));
-  soup.triangles.push_back({{ 11, 12, top }});
+  soup.triangles.push_back({ { 11, 12, top } });
   result = read_text("post.off", off_text(soup), tm);
   assert(result && number_of_components(tm) == 2 && tm.number_of_faces() == 33);
 
   // A triangle of zero area in the surface and one on its border.
-  result = read_text("needle.off", "OFF\n5 4 0\n0 0 0\n2 0 0\n1 0 0\n1 1 0\n1 -1 0\n"
-                     "3 0 2 3\n3 2 1 3\n3 0 1 2\n3 1 0 4\n", tm);
+  result = read_text("needle.off",
+                     "OFF\n5 4 0\n0 0 0\n2 0 0\n1 0 0\n1 1 0\n1 -1 0\n"
+                     "3 0 2 3\n3 2 1 3\n3 0 1 2\n3 1 0 4\n",
+                     tm);
   assert(result && mentions(result, "1 triangle of zero area was removed") && result.number_of_degenerate_faces == 0);
   assert(tm.number_of_faces() == 4 && is_near(PMP::area(tm), 2) && number_of_borders(tm) == 1);
   result = read_text("border_needle.off", "OFF\n4 3 0\n0 0 0\n2 0 0\n1 0 0\n1 1 0\n3 0 2 3\n3 2 1 3\n3 0 1 2\n", tm);
@@ -471,13 +478,13 @@ std::string stl_binary(const Soup& soup, const std::string& header = "binary")
 std::string ply_binary(const Soup& soup, bool is_big_endian)
 {
   std::string bytes =
-      std::string("ply\nformat ") + (is_big_endian ? "binary_big_endian" : "binary_little_endian") +
-      " 1.0\ncomment made by hand\nelement vertex " + std::to_string(soup.points.size()) +
-      "\nproperty uchar quality\nproperty double x\nproperty double y\nproperty double z\n"
-      "property list uint8 float32 weights\nelement face " +
-      std::to_string(soup.triangles.size()) +
-      "\nproperty list uint8 double texcoord\nproperty list uint8 uint16 vertex_indices\nproperty int flags\n"
-      "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+    std::string("ply\nformat ") + (is_big_endian ? "binary_big_endian" : "binary_little_endian") +
+    " 1.0\ncomment made by hand\nelement vertex " + std::to_string(soup.points.size()) +
+    "\nproperty uchar quality\nproperty double x\nproperty double y\nproperty double z\n"
+    "property list uint8 float32 weights\nelement face " +
+    std::to_string(soup.triangles.size()) +
+    "\nproperty list uint8 double texcoord\nproperty list uint8 uint16 vertex_indices\nproperty int flags\n"
+    "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   for(const Point_3& p : soup.points)
   {
     append(bytes, std::uint8_t(7));
@@ -543,17 +550,17 @@ void test_variants()
 
   // Triangle strips: the second triangle of a strip is turned.
   const std::string strips =
-      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
-      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n8 0 1 2 3 -1 2 3 4\n";
+    "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n8 0 1 2 3 -1 2 3 4\n";
   Result result = read_text("strips.ply", strips, tm);
   assert(result && tm.number_of_faces() == 3 && result.counts.reversed_faces == 0 && is_near(PMP::area(tm), 1.5));
 
   // OFF with prefixes, and in binary form.
   const char* const points[] = { "0 0 0", "1 0 0", "0 1 0" };
   for(const auto& variant :
-      {std::make_pair("COFF", " 10 20 30 255"), std::make_pair("NOFF", " 0 0 1"), std::make_pair("STOFF", " 0.5 0.5"),
-       std::make_pair("STCNOFF", " 0 0 1 1 1 1 1 0 0"), std::make_pair("off", "")})
+      { std::make_pair("COFF", " 10 20 30 255"), std::make_pair("NOFF", " 0 0 1"), std::make_pair("STOFF", " 0.5 0.5"),
+        std::make_pair("STCNOFF", " 0 0 1 1 1 1 1 0 0"), std::make_pair("off", "") })
   {
     std::string text = std::string(variant.first) + "\n# a comment\n3 1 3\n";
     for(const char* p : points)
@@ -599,7 +606,7 @@ void test_two_sided()
   {
     Soup both = soup;
     for(const auto& t : soup.triangles)
-      both.triangles.push_back({{ t[1], t[0], t[2] }});
+      both.triangles.push_back({ { t[1], t[0], t[2] } });
     return both;
   };
   const Soup cube = test_meshes::cube(2);
@@ -642,8 +649,8 @@ void test_two_sided()
   assert(result && tm.number_of_faces() == 50 && number_of_components(tm) == 2 && number_of_borders(tm) == 1);
   soup = cube;
   const Soup lid = both_sides(
-      Soup{{cube.points[soup.triangles[0][0]], cube.points[soup.triangles[0][1]], cube.points[soup.triangles[0][2]]},
-           {{{0, 1, 2}}}});
+    Soup{ { cube.points[soup.triangles[0][0]], cube.points[soup.triangles[0][1]], cube.points[soup.triangles[0][2]] },
+          { { { 0, 1, 2 } } } });
   soup.triangles.erase(soup.triangles.begin());
   check_cube(read_text("lid.obj", scattered_obj(test_meshes::joined(soup, lid)), tm), tm, 26);
 
@@ -671,7 +678,7 @@ void test_merging()
 
   // Two boxes that share an edge, each triangle with vertices of its own.
   Result result =
-      read_text("edge.obj", scattered_obj(test_meshes::joined(cube, test_meshes::translated(cube, {1, 1, 0}))), tm);
+    read_text("edge.obj", scattered_obj(test_meshes::joined(cube, test_meshes::translated(cube, { 1, 1, 0 }))), tm);
   assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && tm.number_of_vertices() == 16 &&
          is_near(PMP::volume(tm), 2));
   assert(result.counts.merged_vertices == 56 && result.counts.separated_edges == 1);
@@ -707,7 +714,7 @@ void test_merging()
                                        p.z() + random.uniform_real(-noise, noise)));
       }
       const std::size_t n = loose.points.size();
-      loose.triangles.push_back({{ n - 3, n - 2, n - 1 }});
+      loose.triangles.push_back({ { n - 3, n - 2, n - 1 } });
     }
     result = read_text("noisy.off", off_text(loose), tm);
     check_cube(result, tm, 98);
@@ -717,24 +724,24 @@ void test_merging()
   const double narrow = 1e-7;
   Soup slot = test_meshes::l_prism(1);
   result = read_text(
-      "flat.obj",
-      scattered_obj(test_meshes::mapped(slot, [&](const Point_3& p) { return Point_3(p.x(), p.y(), narrow * p.z()); })),
-      tm);
+    "flat.obj",
+    scattered_obj(test_meshes::mapped(slot, [&](const Point_3& p) { return Point_3(p.x(), p.y(), narrow * p.z()); })),
+    tm);
   assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 1);
   assert(tm.number_of_vertices() == test_meshes::make_mesh(slot).number_of_vertices());
   const Soup tiny =
-      test_meshes::mapped(cube, [](const Point_3& p) { return Point_3(5 + 1e-8 * p.x(), 1e-8 * p.y(), 1e-8 * p.z()); });
+    test_meshes::mapped(cube, [](const Point_3& p) { return Point_3(5 + 1e-8 * p.x(), 1e-8 * p.y(), 1e-8 * p.z()); });
   result = read_text("tiny.obj", scattered_obj(test_meshes::joined(cube, tiny)), tm);
   assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 2 && tm.number_of_vertices() == 16 &&
          tm.number_of_faces() == 24);
   const Soup sheet = test_meshes::grid(3, 3);
   result = read_text("sheets.obj",
-                     scattered_obj(test_meshes::joined(sheet, test_meshes::translated(sheet, {0, 0, 1e-5}))), tm);
+                     scattered_obj(test_meshes::joined(sheet, test_meshes::translated(sheet, { 0, 0, 1e-5 }))), tm);
   assert(result && number_of_components(tm) == 2 && number_of_borders(tm) == 2);
 
   // What is closed already is left alone, however near its parts are.
   result =
-      read_text("shells.off", off_text(test_meshes::joined(cube, test_meshes::translated(cube, {1 + 1e-9, 0, 0}))), tm);
+    read_text("shells.off", off_text(test_meshes::joined(cube, test_meshes::translated(cube, { 1 + 1e-9, 0, 0 }))), tm);
   assert(result && result.repairs.empty() && number_of_components(tm) == 2);
 
   // A cut closes; that of a Moebius strip stays open, as its surface has one side only otherwise.
@@ -742,15 +749,15 @@ void test_merging()
   ring = test_meshes::mapped(ring,
                              [](const Point_3& p)
                              {
-                               return p.x() == 9 ? Point_3(1, 0, p.y())
-                                                 : Point_3(std::cos(p.x() * 2 * CGAL_PI / 9),
-                                                           std::sin(p.x() * 2 * CGAL_PI / 9), p.y());
-                             });
+    return p.x() == 9 ? Point_3(1, 0, p.y())
+                      : Point_3(std::cos(p.x() * 2 * CGAL_PI / 9), std::sin(p.x() * 2 * CGAL_PI / 9), p.y());
+  });
   result = read_text("ring.off", off_text(ring), tm);
   assert(result && number_of_borders(tm) == 2 && tm.number_of_vertices() == 18 && result.counts.merged_vertices == 2);
   Soup moebius = test_meshes::strip(9);
-  moebius = test_meshes::mapped(moebius, [](const Point_3& p)
-  {
+  moebius = test_meshes::mapped(moebius,
+                                [](const Point_3& p)
+                                {
     const double a = p.x() * 2 * CGAL_PI / 9, w = p.y() - 0.5;
     if(p.x() == 9)
       return Point_3(3 - w, 0, 0);
@@ -763,7 +770,7 @@ void test_merging()
 
   // A crack that is too wide to close is said: its vertices fit on one side, or on none.
   Soup cracked =
-      test_meshes::joined(test_meshes::grid(4, 4), test_meshes::translated(test_meshes::grid(5, 4), {1 + 1e-4, 0, 0}));
+    test_meshes::joined(test_meshes::grid(4, 4), test_meshes::translated(test_meshes::grid(5, 4), { 1 + 1e-4, 0, 0 }));
   result = read_text("cracked.off", off_text(cracked), tm);
   assert(result && number_of_components(tm) == 2 && result.number_of_crack_edges == 8 && mentions(result, "cracks"));
   assert(read_text("grid.off", off_text(test_meshes::grid(4, 4)), tm).number_of_crack_edges == 0);
@@ -798,25 +805,26 @@ void test_flat_triangles()
     plate.points.push_back(Point_3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
     return plate.points.size() - 1;
   };
-  auto on_edge = [&](int i) { return std::array<double, 2>{{ 10 + 7.3 * i / n, 20 + 3.1 * i / n }}; };
+  auto on_edge = [&](int i) { return std::array<double, 2>{ { 10 + 7.3 * i / n, 20 + 3.1 * i / n } }; };
   std::vector<std::size_t> edge;
   for(int i = 0; i <= n; ++i)
     edge.push_back(add(on_edge(i)[0], on_edge(i)[1], 0));
   const std::size_t top = add(12, 30, 5), bottom = add(12, 30, -5);
   for(int i = 0; i < n; ++i)
-    plate.triangles.push_back({{ edge[static_cast<std::size_t>(i)], edge[static_cast<std::size_t>(i) + 1], top }});
+    plate.triangles.push_back({ { edge[static_cast<std::size_t>(i)], edge[static_cast<std::size_t>(i) + 1], top } });
   for(int i = 1; i < n; ++i)
-    plate.triangles.push_back({{ edge[0], edge[static_cast<std::size_t>(i) + 1], edge[static_cast<std::size_t>(i)] }});
-  plate.triangles.push_back({{ edge[n], edge[0], bottom }});
-  plate.triangles.push_back({{ edge[0], top, bottom }});
-  plate.triangles.push_back({{ top, edge[n], bottom }});
+    plate.triangles.push_back(
+      { { edge[0], edge[static_cast<std::size_t>(i) + 1], edge[static_cast<std::size_t>(i)] } });
+  plate.triangles.push_back({ { edge[n], edge[0], bottom } });
+  plate.triangles.push_back({ { edge[0], top, bottom } });
+  plate.triangles.push_back({ { top, edge[n], bottom } });
   const Result result = read_text("wedge.stl", stl_binary(plate), tm);
   assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 1 && result.number_of_degenerate_faces == 0);
   assert(result.counts.flattened_faces == n - 1 && tm.number_of_vertices() == static_cast<std::size_t>(n) + 3);
 
   // A fine mesh far from the origin is not taken for one of flat triangles.
-  const Soup fine = test_meshes::mapped(test_meshes::cube(4), [](const Point_3& p)
-                                        { return Point_3(1000 + p.x() / 256, p.y() / 256, p.z() / 256); });
+  const Soup fine = test_meshes::mapped(
+    test_meshes::cube(4), [](const Point_3& p) { return Point_3(1000 + p.x() / 256, p.y() / 256, p.z() / 256); });
   assert(read_text("fine.stl", stl_binary(fine), tm).counts.flattened_faces == 0 && tm.number_of_faces() == 192);
 }
 
@@ -846,8 +854,8 @@ void test_sheets()
   const std::size_t top = post.points.size();
   post.points.push_back(post.points[11] + test_meshes::Vector_3(0, 0, 1));
   post.points.push_back(post.points[11] + test_meshes::Vector_3(0, 0, -1));
-  post.triangles.push_back({{ 11, 12, top }});
-  post.triangles.push_back({{ 12, 11, top + 1 }});
+  post.triangles.push_back({ { 11, 12, top } });
+  post.triangles.push_back({ { 12, 11, top + 1 } });
   result = read_text("posts.off", off_text(post), tm);
   assert(result && tm.number_of_faces() >= 34 && is_near(PMP::area(tm), 1 + 0.25));
 }
@@ -858,7 +866,7 @@ void test_numbers()
   std::cout << "numbers of the file" << std::endl;
   Mesh tm;
   Result result =
-      read_text("unused.off", "OFF\n5 2 0\n100 100 100\n0 0 0\n1 -3 0\n2 0 0\n1 3 0\n3 1 2 3\n3 1 3 4\n", tm);
+    read_text("unused.off", "OFF\n5 2 0\n100 100 100\n0 0 0\n1 -3 0\n2 0 0\n1 3 0\n3 1 2 3\n3 1 3 4\n", tm);
   assert(result && result.vertices.mesh_number(0) == result.vertices.none && result.vertices.file_size() == 5);
   for(std::size_t v = 1; v < 5; ++v)
     assert(result.vertices.mesh_number(v) == v - 1 && result.vertices.file_number(v - 1) == v);
@@ -868,8 +876,8 @@ void test_numbers()
   CGAL::Random random(5);
   Soup soup;
   for(int i = 0; i < 3; ++i)
-    soup = test_meshes::joined(soup,
-                               test_meshes::translated(test_meshes::cube(2), test_meshes::Vector_3(i % 2, i / 2, 0)));
+    soup =
+      test_meshes::joined(soup, test_meshes::translated(test_meshes::cube(2), test_meshes::Vector_3(i % 2, i / 2, 0)));
   for(int i = 0; i < 20; ++i)
   {
     soup.points.push_back(Point_3(random.uniform_real(2., 3.), 5, 5));
@@ -973,7 +981,7 @@ void test_switches()
 
   soup = test_meshes::grid(2, 2);
   soup.points.push_back(Point_3(0.5, 0.5, 1));
-  soup.triangles.push_back({{ 4, 5, 9 }});
+  soup.triangles.push_back({ { 4, 5, 9 } });
   result = read(off_text(soup), without(&Repairs::separate_sheets));
   assert(result.status == Status::NEEDS_REPAIR && result.message == "There is 1 edge with more than two faces.");
   result = read("OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n", false);
@@ -1023,8 +1031,8 @@ void test_polygons()
 
   // Two quads on the same four vertices, as a pillow: their diagonals must differ, or one edge gets a vertex.
   result =
-      read_text("pillow.obj",
-                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 3 4\nf 1 4 5\nf 4 3 5\nf 3 2 5\nf 2 1 5\n", tm);
+    read_text("pillow.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 3 4\nf 1 4 5\nf 4 3 5\nf 3 2 5\nf 2 1 5\n", tm);
   assert(result && CGAL::is_closed(tm) && is_near(std::abs(PMP::volume(tm)), 1. / 3));
 }
 
@@ -1035,29 +1043,30 @@ void test_fuzz()
   const Soup cube = test_meshes::cube(1), grid = test_meshes::grid(2, 2);
   const std::string head = "# comment\nmtllib x.mtl\n";
   const std::vector<std::pair<std::string, std::string>> files = {
-      {"a.off", off_text(cube)},
-      {"b.off", off_text(grid, {{0, 1, 4, 3}})},
-      {"c.off", "COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n"},
-      {"d.off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 2\n0 1 0 2\n3 0 1 2\n"},
-      {"e.off", "OFF # comment\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2 255 0 0\r\n"},
-      {"f.off", std::string("OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0", 23) + std::string(36, '\1') +
-                    std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20)},
-      {"g.obj", scattered_obj(cube)},
-      {"h.obj", head + "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf -4 -3 \\\n -2\nl 1 2\n"},
-      {"i.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\n"},
-      {"j.obj", scattered_obj(grid)},
-      {"k.ply", ply_binary(cube, false)},
-      {"l.ply", ply_binary(cube, true)},
-      {"m.ply", ply_text(cube)},
-      {"n.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
-                "z\nelement tristrips 1\n"
-                "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 0 1 2 3 -1\n"},
-      {"o.ply", ply_binary(grid, false)},
-      {"p.ply", ply_text(grid)},
-      {"q.stl", stl_text(cube)},
-      {"r.stl", stl_binary(cube)},
-      {"s.stl", stl_binary(grid, "solid")},
-      {"t.stl", stl_text(grid)}};
+    { "a.off", off_text(cube) },
+    { "b.off", off_text(grid, { { 0, 1, 4, 3 } }) },
+    { "c.off", "COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n" },
+    { "d.off", "4OFF\n3 1 0\n0 0 0 2\n1 0 0 2\n0 1 0 2\n3 0 1 2\n" },
+    { "e.off", "OFF # comment\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2 255 0 0\r\n" },
+    { "f.off", std::string("OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0", 23) + std::string(36, '\1') +
+                 std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20) },
+    { "g.obj", scattered_obj(cube) },
+    { "h.obj", head + "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf -4 -3 \\\n -2\nl 1 2\n" },
+    { "i.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\n" },
+    { "j.obj", scattered_obj(grid) },
+    { "k.ply", ply_binary(cube, false) },
+    { "l.ply", ply_binary(cube, true) },
+    { "m.ply", ply_text(cube) },
+    { "n.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+               "z\nelement tristrips 1\n"
+               "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 0 1 2 3 -1\n" },
+    { "o.ply", ply_binary(grid, false) },
+    { "p.ply", ply_text(grid) },
+    { "q.stl", stl_text(cube) },
+    { "r.stl", stl_binary(cube) },
+    { "s.stl", stl_binary(grid, "solid") },
+    { "t.stl", stl_text(grid) }
+  };
   CGAL::Random random(11);
   std::size_t refused = 0, number = 0;
   CGAL::Timer timer;
@@ -1069,10 +1078,10 @@ void test_fuzz()
       const std::size_t place = static_cast<std::size_t>(random.get_int(0, static_cast<int>(bytes.size())));
       switch(i % 4)
       {
-      case 0: bytes[place] = static_cast<char>(random.get_int(0, 256)); break;
-      case 1: bytes.erase(place, 1); break;
-      case 2: bytes.insert(place, 1, static_cast<char>(random.get_int(0, 256))); break;
-      default: bytes.resize(place); break;
+        case 0: bytes[place] = static_cast<char>(random.get_int(0, 256)); break;
+        case 1: bytes.erase(place, 1); break;
+        case 2: bytes.insert(place, 1, static_cast<char>(random.get_int(0, 256))); break;
+        default: bytes.resize(place); break;
       }
       write_text("damaged_" + file.first, bytes);
       Mesh tm;
@@ -1132,11 +1141,11 @@ void test_soup()
   std::cout << "a soup as it is in the file" << std::endl;
   write_text("soup.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n3 0 1 2\n4 0 1 1 2\n");
   std::vector<Point_3> points;
-  std::vector<std::vector<std::size_t> > polygons;
+  std::vector<std::vector<std::size_t>> polygons;
   assert(CGAL::Quad_meshing::read_polygon_soup("soup.off", points, polygons));
   assert(points.size() == 4 && polygons.size() == 3 && polygons[2] == std::vector<std::size_t>({ 0, 1, 1, 2 }));
-  std::vector<std::array<double, 3> > coordinates;
-  std::vector<std::vector<std::size_t> > same_polygons;
+  std::vector<std::array<double, 3>> coordinates;
+  std::vector<std::vector<std::size_t>> same_polygons;
   assert(CGAL::Quad_meshing::read_polygon_soup("soup.off", coordinates, same_polygons) && same_polygons == polygons);
   assert(coordinates.size() == 4 && coordinates[3][2] == 5);
   write_text("index_3.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
@@ -1149,7 +1158,12 @@ void test_json()
   std::cout << "JSON" << std::endl;
   typedef std::numeric_limits<double> Limits;
   CGAL::Quad_meshing::Flat_json json;
-  auto text = [&]() { std::ostringstream os; json.write(os); return os.str(); };
+  auto text = [&]()
+  {
+    std::ostringstream os;
+    json.write(os);
+    return os.str();
+  };
   assert(text() == "{}\n");
 
   json.set("valid", true);
@@ -1167,28 +1181,27 @@ void test_json()
 
   // Numbers read back as they were.
   for(double x :
-      {0., 1. / 3, -1e300 / 3, 1e-300 / 7, Limits::min(), Limits::max(), Limits::epsilon(), 123456789., 4000.})
+      { 0., 1. / 3, -1e300 / 3, 1e-300 / 7, Limits::min(), Limits::max(), Limits::epsilon(), 123456789., 4000. })
     assert(std::strtod(CGAL::Quad_meshing::internal::json_number(x).c_str(), nullptr) == x);
 }
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "formats", test_formats },
-    { "refused", test_refused },
-    { "repaired", test_repaired },
-    { "variants", test_variants },
-    { "two_sided", test_two_sided },
-    { "merging", test_merging },
-    { "flat_triangles", test_flat_triangles },
-    { "sheets", test_sheets },
-    { "numbers", test_numbers },
-    { "switches", test_switches },
-    { "polygons", test_polygons },
-    { "fuzz", test_fuzz },
-    { "large_elements", test_large_elements },
-    { "status_names", test_status_names },
-    { "soup", test_soup },
-    { "json", test_json }
-  });
+  return run_cases(argc, argv,
+                   { { "formats", test_formats },
+                     { "refused", test_refused },
+                     { "repaired", test_repaired },
+                     { "variants", test_variants },
+                     { "two_sided", test_two_sided },
+                     { "merging", test_merging },
+                     { "flat_triangles", test_flat_triangles },
+                     { "sheets", test_sheets },
+                     { "numbers", test_numbers },
+                     { "switches", test_switches },
+                     { "polygons", test_polygons },
+                     { "fuzz", test_fuzz },
+                     { "large_elements", test_large_elements },
+                     { "status_names", test_status_names },
+                     { "soup", test_soup },
+                     { "json", test_json } });
 }

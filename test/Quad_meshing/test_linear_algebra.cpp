@@ -30,7 +30,7 @@
 namespace QM = CGAL::Quad_meshing;
 
 typedef std::complex<double> Complex;
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType> >
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType>>
   User_solver;
 
 CGAL::Random& random_numbers()
@@ -55,7 +55,7 @@ Complex conjugate(const Complex& v) { return std::conj(v); }
 template <typename Number>
 Eigen::SparseMatrix<Number> definite_matrix(int n)
 {
-  std::vector<Eigen::Triplet<Number> > triplets;
+  std::vector<Eigen::Triplet<Number>> triplets;
   for(int i = 0; i < n; ++i)
     triplets.emplace_back(i, i, Number(20.));
   for(int k = 0; k < 4 * n; ++k)
@@ -77,7 +77,7 @@ Eigen::SparseMatrix<Number> definite_matrix(int n)
 template <typename Number>
 Eigen::SparseMatrix<Number> sparse_columns(int n, int m)
 {
-  std::vector<Eigen::Triplet<Number> > triplets;
+  std::vector<Eigen::Triplet<Number>> triplets;
   for(int k = 0; k < 20; ++k)
   {
     Number v;
@@ -111,7 +111,7 @@ void check_factorization(QM::Sparse_cholesky<Number> solver, bool has_factor)
   assert((A * Eigen::Map<Dense_matrix>(x.data(), n, 1) - Dense_matrix::Ones(n, 1)).cwiseAbs().maxCoeff() < 1e-12);
 
   // P A P' = L L*
-  const std::unique_ptr<QM::Cholesky_factor<Number> > factor = solver.factor();
+  const std::unique_ptr<QM::Cholesky_factor<Number>> factor = solver.factor();
   assert((factor != nullptr) == has_factor);
   if(factor)
   {
@@ -166,7 +166,7 @@ void indefinite_matrices()
 void semidefinite_matrices()
 {
   const int n = 30;
-  std::vector<Eigen::Triplet<double> > triplets;
+  std::vector<Eigen::Triplet<double>> triplets;
   for(int i = 0; i + 1 < n; ++i)
   {
     triplets.emplace_back(i, i, 1.);
@@ -188,11 +188,12 @@ void semidefinite_matrices()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "real_numbers", real_numbers },
-    { "complex_numbers", complex_numbers },
-    { "custom_solver", custom_solver },
-    { "indefinite_matrices", indefinite_matrices },
-    { "semidefinite_matrices", semidefinite_matrices },
-  });
+  return run_cases(argc, argv,
+                   {
+                     { "real_numbers", real_numbers },
+                     { "complex_numbers", complex_numbers },
+                     { "custom_solver", custom_solver },
+                     { "indefinite_matrices", indefinite_matrices },
+                     { "semidefinite_matrices", semidefinite_matrices },
+                   });
 }

@@ -48,8 +48,8 @@ struct Soup
 
   void add_quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d)
   {
-    triangles.push_back({{ a, b, c }});
-    triangles.push_back({{ a, c, d }});
+    triangles.push_back({ { a, b, c } });
+    triangles.push_back({ { a, c, d } });
   }
 };
 
@@ -76,7 +76,7 @@ inline Soup joined(Soup a, const Soup& b)
   const std::size_t n = a.points.size();
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
   for(const Triangle& t : b.triangles)
-    a.triangles.push_back({{ t[0] + n, t[1] + n, t[2] + n }});
+    a.triangles.push_back({ { t[0] + n, t[1] + n, t[2] + n } });
   return a;
 }
 
@@ -89,8 +89,9 @@ inline Soup translated(const Soup& soup, const Vector_3& v)
 inline Soup perturbed(const Soup& soup, double amplitude, unsigned int seed = 0)
 {
   CGAL::Random random(seed);
-  return mapped(soup, [&](const Point_3& p)
-  {
+  return mapped(soup,
+                [&](const Point_3& p)
+                {
     const double dx = random.get_double(-1., 1.), dy = random.get_double(-1., 1.), dz = random.get_double(-1., 1.);
     return p + amplitude * Vector_3(dx, dy, dz);
   });
@@ -112,7 +113,7 @@ inline Soup subdivided(Soup soup)
   for(const Triangle& t : soup.triangles)
   {
     const std::size_t a = midpoint(t[1], t[2]), b = midpoint(t[2], t[0]), c = midpoint(t[0], t[1]);
-    triangles.insert(triangles.end(), { {{ t[0], c, b }}, {{ t[1], a, c }}, {{ t[2], b, a }}, {{ a, b, c }} });
+    triangles.insert(triangles.end(), { { { t[0], c, b } }, { { t[1], a, c } }, { { t[2], b, a } }, { { a, b, c } } });
   }
   soup.triangles.swap(triangles);
   return soup;
@@ -187,7 +188,7 @@ inline Soup moebius_strip(int n)
 inline Soup voxel_surface(const std::function<bool(int, int, int)>& occupied, int sx, int sy, int sz, int n)
 {
   typedef std::array<int, 3> Lattice_point;
-  const Lattice_point size = {{ sx, sy, sz }};
+  const Lattice_point size = { { sx, sy, sz } };
   auto is_occupied = [&](const Lattice_point& c)
   {
     for(int d = 0; d < 3; ++d)
@@ -212,7 +213,7 @@ inline Soup voxel_surface(const std::function<bool(int, int, int)>& occupied, in
     {
       for(int i = 0; i < sx; ++i)
       {
-        const Lattice_point cell = {{ i, j, k }};
+        const Lattice_point cell = { { i, j, k } };
         if(!is_occupied(cell))
           continue;
         for(int d = 0; d < 3; ++d)
@@ -231,7 +232,7 @@ inline Soup voxel_surface(const std::function<bool(int, int, int)>& occupied, in
               {
                 auto corner = [&](int da, int db)
                 {
-                  Lattice_point p = {{ n * i, n * j, n * k }};
+                  Lattice_point p = { { n * i, n * j, n * k } };
                   p[d] += side * n;
                   p[u] += a + da;
                   p[v] += b + db;
@@ -284,12 +285,12 @@ inline Soup icosphere(int levels)
 {
   const double t = (1 + std::sqrt(5.)) / 2;
   Soup soup;
-  soup.points = { { -1, t, 0 }, { 1, t, 0 }, { -1, -t, 0 }, { 1, -t, 0 }, { 0, -1, t }, { 0, 1, t },
-                  { 0, -1, -t }, { 0, 1, -t }, { t, 0, -1 }, { t, 0, 1 }, { -t, 0, -1 }, { -t, 0, 1 } };
-  soup.triangles = { {{ 0, 11, 5 }}, {{ 0, 5, 1 }}, {{ 0, 1, 7 }}, {{ 0, 7, 10 }}, {{ 0, 10, 11 }},
-                     {{ 1, 5, 9 }}, {{ 5, 11, 4 }}, {{ 11, 10, 2 }}, {{ 10, 7, 6 }}, {{ 7, 1, 8 }},
-                     {{ 3, 9, 4 }}, {{ 3, 4, 2 }}, {{ 3, 2, 6 }}, {{ 3, 6, 8 }}, {{ 3, 8, 9 }},
-                     {{ 4, 9, 5 }}, {{ 2, 4, 11 }}, {{ 6, 2, 10 }}, {{ 8, 6, 7 }}, {{ 9, 8, 1 }} };
+  soup.points = { { -1, t, 0 },  { 1, t, 0 },  { -1, -t, 0 }, { 1, -t, 0 }, { 0, -1, t },  { 0, 1, t },
+                  { 0, -1, -t }, { 0, 1, -t }, { t, 0, -1 },  { t, 0, 1 },  { -t, 0, -1 }, { -t, 0, 1 } };
+  soup.triangles = { { { 0, 11, 5 } }, { { 0, 5, 1 } },  { { 0, 1, 7 } },   { { 0, 7, 10 } }, { { 0, 10, 11 } },
+                     { { 1, 5, 9 } },  { { 5, 11, 4 } }, { { 11, 10, 2 } }, { { 10, 7, 6 } }, { { 7, 1, 8 } },
+                     { { 3, 9, 4 } },  { { 3, 4, 2 } },  { { 3, 2, 6 } },   { { 3, 6, 8 } },  { { 3, 8, 9 } },
+                     { { 4, 9, 5 } },  { { 2, 4, 11 } }, { { 6, 2, 10 } },  { { 8, 6, 7 } },  { { 9, 8, 1 } } };
   auto to_sphere = [](const Point_3& p)
   {
     const Vector_3 v = p - CGAL::ORIGIN;
@@ -339,8 +340,8 @@ inline Soup cylinder(int n, int m, bool caps, double radius = 1, double height =
     soup.points.emplace_back(0, 0, height);
     for(int i = 0; i < n; ++i)
     {
-      soup.triangles.push_back({{ bottom, v(i + 1, 0), v(i, 0) }});
-      soup.triangles.push_back({{ top, v(i, m), v(i + 1, m) }});
+      soup.triangles.push_back({ { bottom, v(i + 1, 0), v(i, 0) } });
+      soup.triangles.push_back({ { top, v(i, m), v(i + 1, m) } });
     }
   }
   return soup;
@@ -358,7 +359,7 @@ inline Soup cone(int n, int m, double radius = 1, double height = 1)
                                height * (m - j) / m);
   auto v = [&](int i, int j) { return 1 + static_cast<std::size_t>(j - 1) * n + i % n; };
   for(int i = 0; i < n; ++i)
-    soup.triangles.push_back({{ 0, v(i, 1), v(i + 1, 1) }});
+    soup.triangles.push_back({ { 0, v(i, 1), v(i + 1, 1) } });
   for(int j = 1; j < m; ++j)
     for(int i = 0; i < n; ++i)
       soup.add_quad(v(i, j), v(i, j + 1), v(i + 1, j + 1), v(i + 1, j));

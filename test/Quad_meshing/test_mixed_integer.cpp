@@ -128,8 +128,9 @@ double brute_force(const Problem& problem, double upper, const std::vector<int>&
 
   double best = infinity;
   Eigen::VectorXd x(n), rhs(r + e);
-  for_each_integer_point(low, high, [&](const std::vector<int>& y)
-  {
+  for_each_integer_point(low, high,
+                         [&](const std::vector<int>& y)
+                         {
     for(int i = 0; i < m; ++i)
       x[i] = y[i];
     if(r + e > 0)
@@ -168,8 +169,8 @@ void check_solution(const Problem& problem, const Solution& s)
   for(std::size_t c = 0; c < problem.equality_constraints().size(); ++c)
   {
     const Problem::Linear_constraint& constraint = problem.equality_constraints()[c];
-    if(std::find(s.conflicting_constraints.begin(), s.conflicting_constraints.end(), static_cast<int>(c))
-       != s.conflicting_constraints.end())
+    if(std::find(s.conflicting_constraints.begin(), s.conflicting_constraints.end(), static_cast<int>(c)) !=
+       s.conflicting_constraints.end())
       continue;
     double value = 0.;
     bool has_integers_only = true;
@@ -376,20 +377,20 @@ void test_inequalities(CGAL::Random& random)
       problem.add_inequality_constraint(form, random.get_int(-4, 6));
     }
     const double best = brute_force(problem, 1e6, std::vector<int>());
-    const QM::Subproblem_selection selections[] = {QM::Subproblem_selection::BEST_BOUND,
-                                                   QM::Subproblem_selection::DEPTH_FIRST,
-                                                   QM::Subproblem_selection::BEST_ESTIMATE};
-    const QM::Branching_rule rules[] = {QM::Branching_rule::MINIMUM_INFEASIBILITY,
-                                        QM::Branching_rule::MAXIMUM_INFEASIBILITY, QM::Branching_rule::PSEUDO_COSTS};
+    const QM::Subproblem_selection selections[] = { QM::Subproblem_selection::BEST_BOUND,
+                                                    QM::Subproblem_selection::DEPTH_FIRST,
+                                                    QM::Subproblem_selection::BEST_ESTIMATE };
+    const QM::Branching_rule rules[] = { QM::Branching_rule::MINIMUM_INFEASIBILITY,
+                                         QM::Branching_rule::MAXIMUM_INFEASIBILITY, QM::Branching_rule::PSEUDO_COSTS };
     for(QM::Subproblem_selection selection : selections)
       for(QM::Branching_rule rule : rules)
         for(int m = 0; m < 2; ++m)
         {
           const Solution s =
-              QM::solve_mixed_integer(problem, params::rounding_method(m == 0 ? QM::Rounding_method::BRANCH_AND_BOUND
-                                                                              : QM::Rounding_method::BRANCH_AND_CUT)
-                                                   .subproblem_selection(selection)
-                                                   .branching_rule(rule));
+            QM::solve_mixed_integer(problem, params::rounding_method(m == 0 ? QM::Rounding_method::BRANCH_AND_BOUND
+                                                                            : QM::Rounding_method::BRANCH_AND_CUT)
+                                               .subproblem_selection(selection)
+                                               .branching_rule(rule));
           if(best == infinity)
           {
             assert(s.status == QM::Mixed_integer_status::INFEASIBLE);
@@ -402,7 +403,7 @@ void test_inequalities(CGAL::Random& random)
     if(p % 5 == 0 && integers <= 3)
     {
       const Solution s =
-          QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::OUTER_APPROXIMATION));
+        QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::OUTER_APPROXIMATION));
       assert(best == infinity ? s.status == QM::Mixed_integer_status::INFEASIBLE : is_close(s.energy, best));
     }
   }
@@ -413,8 +414,8 @@ void test_inequalities(CGAL::Random& random)
   problem.set_bounds(0, 0., 0.5);
   problem.add_squared_residual({ { 0, 1. } }, 2.);
   problem.add_squared_residual({ { 1, 1. }, { 0, -1. } }, 0.8);
-  for(QM::Rounding_method method : {QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT,
-                                    QM::Rounding_method::OUTER_APPROXIMATION})
+  for(QM::Rounding_method method : { QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT,
+                                     QM::Rounding_method::OUTER_APPROXIMATION })
   {
     const Solution s = solve_and_check(problem, params::rounding_method(method));
     assert(s.x[1] == 1. && is_close(s.x[0], 0.5) && is_close(s.energy, 2.25 + 0.09));
@@ -440,7 +441,7 @@ void test_linear_programs(CGAL::Random& random)
       problem.set_bounds(i, low[i], high[i]);
     }
     problem.set_energy(Eigen::SparseMatrix<double>(n, n), b);
-    std::vector<std::vector<int> > rows;
+    std::vector<std::vector<int>> rows;
     for(int c = random.get_int(1, 4); c > 0; --c)
     {
       rows.emplace_back();
@@ -454,8 +455,9 @@ void test_linear_programs(CGAL::Random& random)
       problem.add_inequality_constraint(form, rows.back().back());
     }
     int best = (std::numeric_limits<int>::max)();
-    for_each_integer_point(low, high, [&](const std::vector<int>& y)
-    {
+    for_each_integer_point(low, high,
+                           [&](const std::vector<int>& y)
+                           {
       for(const std::vector<int>& row : rows)
       {
         int value = 0;
@@ -471,8 +473,8 @@ void test_linear_programs(CGAL::Random& random)
     });
     const bool is_feasible = best < (std::numeric_limits<int>::max)();
     feasible += is_feasible;
-    for(QM::Rounding_method method : {QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT,
-                                      QM::Rounding_method::BRANCH_AND_BOUND})
+    for(QM::Rounding_method method : { QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT,
+                                       QM::Rounding_method::BRANCH_AND_BOUND })
     {
       const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
       assert(s.status == (is_feasible ? QM::Mixed_integer_status::OPTIMAL : QM::Mixed_integer_status::INFEASIBLE));
@@ -485,7 +487,8 @@ void test_linear_programs(CGAL::Random& random)
   }
   assert(feasible > 100 && cuts > 100);
 
-  // min -x - y, x integer, y real, 2x + 2y <= 5, x - y <= 1/2, 0 <= x, y <= 4: x = 1, y = 3/2 and others of energy -2.5.
+  // min -x - y, x integer, y real, 2x + 2y <= 5, x - y <= 1/2, 0 <= x, y <= 4: x = 1, y = 3/2 and others of energy
+  // -2.5.
   Problem problem(2);
   problem.set_integer(0);
   problem.set_energy(Eigen::SparseMatrix<double>(2, 2), Eigen::Vector2d(1.5, 1.));
@@ -493,8 +496,8 @@ void test_linear_programs(CGAL::Random& random)
   problem.set_bounds(1, 0, 4);
   problem.add_inequality_constraint({ { 0, 2. }, { 1, 2. } }, 5.);
   problem.add_inequality_constraint({ { 0, 1. }, { 1, -1. } }, 0.25);
-  for(QM::Rounding_method method :
-      {QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::BRANCH_AND_BOUND})
+  for(QM::Rounding_method method : { QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT,
+                                     QM::Rounding_method::BRANCH_AND_BOUND })
   {
     const Solution s = solve_and_check(problem, params::rounding_method(method));
     assert(s.x[0] == 1. && is_close(s.x[1], 1.5) && is_close(s.energy, -3.));
@@ -508,8 +511,9 @@ Problem grid_problem(CGAL::Random& random, int width, int integers)
   std::vector<int> jumps;
   for(int k = 0; k < integers; ++k)
     jumps.push_back(problem.add_variable(true));
-  for_each_grid_edge(width, [&](int, int, bool, Problem::Linear_form form)
-  {
+  for_each_grid_edge(width,
+                     [&](int, int, bool, Problem::Linear_form form)
+                     {
     if(random.get_int(0, 4) == 0)
       form.emplace_back(jumps[random.get_int(0, integers)], random.get_int(0, 2) ? 1. : -1.);
     problem.add_squared_residual(form, uniform(random, -0.7, 0.7));
@@ -530,28 +534,33 @@ void test_greedy_levels(CGAL::Random& random)
   assert(is_close(dense.energy, naive.energy));
 
   const Solution local = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-    .maximum_dense_integers(0).rounding_tolerance(1e-9).simultaneous_rounding(false));
+                                                    .maximum_dense_integers(0)
+                                                    .rounding_tolerance(1e-9)
+                                                    .simultaneous_rounding(false));
   assert(local.gauss_seidel_roundings > 0 && is_close(local.energy, naive.energy));
 
   const Solution gradient = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-    .maximum_dense_integers(0).rounding_tolerance(1e-9).simultaneous_rounding(false).gauss_seidel_iterations(0)
-    .conjugate_gradient_iterations(1000));
+                                                       .maximum_dense_integers(0)
+                                                       .rounding_tolerance(1e-9)
+                                                       .simultaneous_rounding(false)
+                                                       .gauss_seidel_iterations(0)
+                                                       .conjugate_gradient_iterations(1000));
   assert(gradient.conjugate_gradient_roundings > 0 && is_close(gradient.energy, naive.energy));
 
-  const Solution simultaneous = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-    .maximum_dense_integers(0));
+  const Solution simultaneous =
+    solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
   assert(simultaneous.simultaneous_roundings > 0);
   assert(simultaneous.energy - naive.relaxed_energy < 1.5 * (naive.energy - naive.relaxed_energy));
 
-  const Solution lattice = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-    .maximum_number_of_nodes(3e5));
+  const Solution lattice =
+    solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(3e5));
   assert(lattice.energy <= dense.energy + 1e-9 && lattice.lower_bound >= dense.relaxed_energy - 1e-6);
-  const Solution again = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-    .maximum_number_of_nodes(3e5));
+  const Solution again =
+    solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(3e5));
   assert((lattice.x - again.x).cwiseAbs().maxCoeff() == 0.);
 }
 
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType> >
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_symmetric_matrix<double>::EigenType>>
   Other_solver;
 
 // Counts what it is asked for.
@@ -577,22 +586,22 @@ void test_other_linear_solver(CGAL::Random& random)
 {
   const Problem problem = grid_problem(random, 8, 5);
   for(QM::Rounding_method method :
-      {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
-       QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE, QM::Rounding_method::BRANCH_AND_BOUND,
-       QM::Rounding_method::BRANCH_AND_CUT})
+      { QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
+        QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE, QM::Rounding_method::BRANCH_AND_BOUND,
+        QM::Rounding_method::BRANCH_AND_CUT })
     for(int dense : { 0, 1000 })
     {
       Counting_solver::factorizations = Counting_solver::solutions = 0;
       const Solution own = QM::solve_mixed_integer(
-          problem,
-          params::rounding_method(method).maximum_dense_integers(dense).rounding_tolerance(1e-9).simultaneous_rounding(
-              false));
+        problem,
+        params::rounding_method(method).maximum_dense_integers(dense).rounding_tolerance(1e-9).simultaneous_rounding(
+          false));
       assert(Counting_solver::factorizations == 0);
       const Solution other = QM::solve_mixed_integer(problem, params::rounding_method(method)
-                                                                  .maximum_dense_integers(dense)
-                                                                  .rounding_tolerance(1e-9)
-                                                                  .simultaneous_rounding(false)
-                                                                  .sparse_linear_solver(Counting_solver()));
+                                                                .maximum_dense_integers(dense)
+                                                                .rounding_tolerance(1e-9)
+                                                                .simultaneous_rounding(false)
+                                                                .sparse_linear_solver(Counting_solver()));
       assert(own.status == other.status && is_close(own.energy, other.energy) &&
              is_close(own.relaxed_energy, other.relaxed_energy));
       assert(Counting_solver::factorizations == other.factorizations && other.factorizations > 0 &&
@@ -607,8 +616,9 @@ void test_leaves(CGAL::Random& random)
   for(int trial = 0; trial < 5; ++trial)
   {
     Problem problem(width * width);
-    for_each_grid_edge(width, [&](int, int j, bool is_down, Problem::Linear_form form)
-    {
+    for_each_grid_edge(width,
+                       [&](int, int j, bool is_down, Problem::Linear_form form)
+                       {
       if(is_down && j > 0)
         form.emplace_back(problem.add_variable(true), uniform(random, 0.5, 2.));
       problem.add_squared_residual(form, uniform(random, -1., 1.));
@@ -621,14 +631,14 @@ void test_leaves(CGAL::Random& random)
     const Solution dense = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY));
     assert(is_close(naive.energy, dense.energy) && (naive.x - dense.x).cwiseAbs().maxCoeff() < 1e-6);
     const Solution levels = solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY)
-                                                         .maximum_dense_integers(0)
-                                                         .rounding_tolerance(1e-11)
-                                                         .simultaneous_rounding(false)
-                                                         .gauss_seidel_iterations(10000000));
+                                                       .maximum_dense_integers(0)
+                                                       .rounding_tolerance(1e-11)
+                                                       .simultaneous_rounding(false)
+                                                       .gauss_seidel_iterations(10000000));
     assert(is_close(naive.energy, levels.energy) && is_close(naive.relaxed_energy, levels.relaxed_energy));
     assert(levels.gauss_seidel_roundings > 0);
     const Solution coarse =
-        solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
+      solve_and_check(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
     assert(coarse.energy < 1.5 * naive.energy);
   }
 
@@ -640,7 +650,7 @@ void test_leaves(CGAL::Random& random)
     leaves.add_squared_residual({ { i, 2. } }, 1.4 + i);
   }
   const Solution rounded =
-      solve_and_check(leaves, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
+    solve_and_check(leaves, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0));
   assert(rounded.x[0] == 1. && rounded.x[1] == 1. && rounded.x[2] == 2.);
 }
 
@@ -651,7 +661,7 @@ void test_lattice_of_many_integers(CGAL::Random& random)
   const Solution one = solve_and_check(part, params::rounding_method(QM::Rounding_method::LATTICE));
   const Eigen::SparseMatrix<double> A = part.matrix();
   const int n = part.number_of_variables(), copies = 3;
-  std::vector<Eigen::Triplet<double> > triplets;
+  std::vector<Eigen::Triplet<double>> triplets;
   Eigen::VectorXd b(copies * n);
   Problem whole(copies * n);
   for(int c = 0; c < copies; ++c)
@@ -669,8 +679,8 @@ void test_lattice_of_many_integers(CGAL::Random& random)
   whole.set_energy(all, b, copies * part.constant());
   for(int c = 0; c < copies; ++c)
     whole.add_equality_constraint({ { c * n, 1. } }, 0.);
-  const Solution three = solve_and_check(whole, params::rounding_method(QM::Rounding_method::LATTICE)
-    .maximum_number_of_nodes(9e7));
+  const Solution three =
+    solve_and_check(whole, params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(9e7));
   assert(one.status == QM::Mixed_integer_status::OPTIMAL && three.status == QM::Mixed_integer_status::OPTIMAL);
   assert(is_close(three.energy, copies * one.energy));
 
@@ -691,8 +701,8 @@ void test_lattice_of_many_integers(CGAL::Random& random)
       large.add_squared_residual(form, uniform(random, -2., 2.));
     }
     const Solution greedy = solve_and_check(large, params::rounding_method(QM::Rounding_method::GREEDY));
-    const Solution lattice = solve_and_check(large, params::rounding_method(QM::Rounding_method::LATTICE)
-      .maximum_number_of_nodes(1e6));
+    const Solution lattice =
+      solve_and_check(large, params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(1e6));
     assert(lattice.energy < greedy.energy);
     assert(lattice.lower_bound >= lattice.relaxed_energy && lattice.lower_bound <= lattice.energy);
   }
@@ -713,15 +723,16 @@ void test_lattice_bounds(CGAL::Random& random)
         problem.add_squared_residual({ { i, 1. } }, uniform(random, -2., 2.), uniform(random, 0.1, 3.));
         for(int j = 0; j < i; ++j)
           if(coupling > 0)
-            problem.add_squared_residual({{i, 1.}, {j, uniform(random, -1., 1.)}}, 0., coupling * random.get_double());
+            problem.add_squared_residual({ { i, 1. }, { j, uniform(random, -1., 1.) } }, 0.,
+                                         coupling * random.get_double());
       }
-      const Solution optimum = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-        .maximum_number_of_nodes(1e9));
+      const Solution optimum =
+        solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(1e9));
       assert(optimum.status == QM::Mixed_integer_status::OPTIMAL);
       for(double nodes : { 0., 100., 2e4, 1e5 })
       {
-        const Solution s = solve_and_check(problem, params::rounding_method(QM::Rounding_method::LATTICE)
-          .maximum_number_of_nodes(nodes));
+        const Solution s = solve_and_check(
+          problem, params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(nodes));
         assert(s.energy >= optimum.energy - 1e-9 && s.lower_bound <= optimum.energy + 1e-9);
         assert(s.status != QM::Mixed_integer_status::OPTIMAL || is_close(s.energy, optimum.energy));
       }
@@ -734,8 +745,7 @@ struct Lattice
   Eigen::MatrixXd R;
   Eigen::VectorXd target;
 
-  Lattice(CGAL::Random& random, int size, double coupling)
-    : R(Eigen::MatrixXd::Zero(size, size)), target(size)
+  Lattice(CGAL::Random& random, int size, double coupling) : R(Eigen::MatrixXd::Zero(size, size)), target(size)
   {
     for(int i = 0; i < size; ++i)
     {
@@ -759,8 +769,8 @@ struct Lattice
   }
 };
 
-// The bound by relaxation lies below the nearest lattice point and not far below, whatever the scale, even if only a farther
-// point is known.
+// The bound by relaxation lies below the nearest lattice point and not far below, whatever the scale, even if only a
+// farther point is known.
 void test_relaxed_bounds(CGAL::Random& random)
 {
   double product = 1;
@@ -834,7 +844,7 @@ void test_integer_energy(CGAL::Random& random)
     assert(is_close(energy.relaxed_energy() + energy.cost(y), whole));
     assert(is_close(energy.problem().energy(y), whole));
     const Solution reduced =
-        QM::solve_mixed_integer(energy.problem(), params::rounding_method(QM::Rounding_method::LATTICE));
+      QM::solve_mixed_integer(energy.problem(), params::rounding_method(QM::Rounding_method::LATTICE));
     const Solution solution = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE));
     assert(is_close(reduced.energy + problem.constant(), solution.energy));
     assert(is_close(reduced.relaxed_energy + problem.constant(), solution.relaxed_energy));
@@ -851,9 +861,9 @@ void test_special_cases()
   real.add_squared_residual({ { 0, 1. }, { 1, 1. } }, 3.);
   real.add_squared_residual({ { 0, 1. }, { 1, -1. } }, 1.);
   for(QM::Rounding_method method :
-      {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
-       QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE, QM::Rounding_method::BRANCH_AND_BOUND,
-       QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::OUTER_APPROXIMATION})
+      { QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT, QM::Rounding_method::NAIVE,
+        QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE, QM::Rounding_method::BRANCH_AND_BOUND,
+        QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::OUTER_APPROXIMATION })
   {
     const Solution s = QM::solve_mixed_integer(real, params::rounding_method(method));
     assert(s.status == QM::Mixed_integer_status::OPTIMAL && is_close(s.x[0], 2.) && is_close(s.x[1], 1.));
@@ -871,8 +881,8 @@ void test_special_cases()
   negative.insert(1, 1) = 1.;
   Problem concave(2);
   concave.set_energy(negative, Eigen::Vector2d(0., 0.));
-  for(QM::Rounding_method method : {QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT,
-                                    QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
+  for(QM::Rounding_method method : { QM::Rounding_method::RELAXED, QM::Rounding_method::DIRECT,
+                                     QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE })
     assert(QM::solve_mixed_integer(concave, params::rounding_method(method)).status ==
            QM::Mixed_integer_status::NUMERICAL_FAILURE);
 
@@ -885,29 +895,27 @@ void test_special_cases()
   bounded.set_integer(0);
   bounded.set_bounds(0, 0, 1);
   bounded.add_squared_residual({ { 0, 1. } }, 2.6);
-  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::Rounding_method::GREEDY)).status
-         == QM::Mixed_integer_status::UNSUPPORTED_PROBLEM);
-  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::Rounding_method::CUTTING_PLANES)).status
-         == QM::Mixed_integer_status::UNSUPPORTED_PROBLEM);
+  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::Rounding_method::GREEDY)).status ==
+         QM::Mixed_integer_status::UNSUPPORTED_PROBLEM);
+  assert(QM::solve_mixed_integer(bounded, params::rounding_method(QM::Rounding_method::CUTTING_PLANES)).status ==
+         QM::Mixed_integer_status::UNSUPPORTED_PROBLEM);
   assert(QM::solve_mixed_integer(bounded).x[0] == 1.);
 
   // An unbounded linear program.
   Problem unbounded(1);
   unbounded.set_integer(0);
   unbounded.set_energy(Eigen::SparseMatrix<double>(1, 1), Eigen::VectorXd::Ones(1));
-  assert(QM::solve_mixed_integer(unbounded, params::rounding_method(QM::Rounding_method::BRANCH_AND_CUT)).status
-         == QM::Mixed_integer_status::UNBOUNDED);
+  assert(QM::solve_mixed_integer(unbounded, params::rounding_method(QM::Rounding_method::BRANCH_AND_CUT)).status ==
+         QM::Mixed_integer_status::UNBOUNDED);
 }
 
 const QM::Rounding_method all_methods[] = {
-    QM::Rounding_method::RELAXED,        QM::Rounding_method::DIRECT,         QM::Rounding_method::NAIVE,
-    QM::Rounding_method::GREEDY,         QM::Rounding_method::LATTICE,        QM::Rounding_method::BRANCH_AND_BOUND,
-    QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::OUTER_APPROXIMATION};
+  QM::Rounding_method::RELAXED,        QM::Rounding_method::DIRECT,         QM::Rounding_method::NAIVE,
+  QM::Rounding_method::GREEDY,         QM::Rounding_method::LATTICE,        QM::Rounding_method::BRANCH_AND_BOUND,
+  QM::Rounding_method::BRANCH_AND_CUT, QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::OUTER_APPROXIMATION
+};
 
-Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& A)
-{
-  return A.sparseView();
-}
+Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
 
 // Problems without curvature, in all or in some directions, with and without a minimum.
 void test_flat_problems()
@@ -917,9 +925,9 @@ void test_flat_problems()
     Problem zero(3);
     zero.set_integer(0);
     for(const Solution& s :
-        {QM::solve_mixed_integer(zero, params::rounding_method(method)),
-         QM::solve_mixed_integer(zero, params::rounding_method(method).maximum_dense_integers(0)),
-         QM::solve_mixed_integer(zero, params::rounding_method(method).sparse_linear_solver(Other_solver()))})
+        { QM::solve_mixed_integer(zero, params::rounding_method(method)),
+          QM::solve_mixed_integer(zero, params::rounding_method(method).maximum_dense_integers(0)),
+          QM::solve_mixed_integer(zero, params::rounding_method(method).sparse_linear_solver(Other_solver())) })
       assert(s.status == QM::Mixed_integer_status::OPTIMAL && s.energy == 0. && s.x.size() == 3);
 
     Problem steep(2);
@@ -955,8 +963,8 @@ void test_flat_problems()
 // Inequalities over integers whose coefficients are fractions, and bounds that make no sense.
 void test_fractional_inequalities()
 {
-  for(QM::Rounding_method method : {QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT,
-                                    QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::OUTER_APPROXIMATION})
+  for(QM::Rounding_method method : { QM::Rounding_method::BRANCH_AND_BOUND, QM::Rounding_method::BRANCH_AND_CUT,
+                                     QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::OUTER_APPROXIMATION })
   {
     Problem problem(2);
     problem.set_integer(0);
@@ -1023,29 +1031,30 @@ template <typename Test>
 Test_case with_random_numbers(const char* name, const Test& test)
 {
   return { name, [test]()
-  {
+           {
     CGAL::Random random(7);
     test(random);
-  } };
+          } };
 }
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "elimination", test_elimination },
-    { "matrix_market", test_matrix_market },
-    { "special_cases", test_special_cases },
-    { "flat_problems", test_flat_problems },
-    { "fractional_inequalities", test_fractional_inequalities },
-    with_random_numbers("against_brute_force", test_against_brute_force),
-    with_random_numbers("linear_programs", test_linear_programs),
-    with_random_numbers("inequalities", test_inequalities),
-    with_random_numbers("greedy_levels", test_greedy_levels),
-    with_random_numbers("leaves", test_leaves),
-    with_random_numbers("lattice_of_many_integers", test_lattice_of_many_integers),
-    with_random_numbers("lattice_bounds", test_lattice_bounds),
-    with_random_numbers("relaxed_bounds", test_relaxed_bounds),
-    with_random_numbers("integer_energy", test_integer_energy),
-    with_random_numbers("other_linear_solver", test_other_linear_solver),
-  });
+  return run_cases(argc, argv,
+                   {
+                     { "elimination", test_elimination },
+                     { "matrix_market", test_matrix_market },
+                     { "special_cases", test_special_cases },
+                     { "flat_problems", test_flat_problems },
+                     { "fractional_inequalities", test_fractional_inequalities },
+                     with_random_numbers("against_brute_force", test_against_brute_force),
+                     with_random_numbers("linear_programs", test_linear_programs),
+                     with_random_numbers("inequalities", test_inequalities),
+                     with_random_numbers("greedy_levels", test_greedy_levels),
+                     with_random_numbers("leaves", test_leaves),
+                     with_random_numbers("lattice_of_many_integers", test_lattice_of_many_integers),
+                     with_random_numbers("lattice_bounds", test_lattice_bounds),
+                     with_random_numbers("relaxed_bounds", test_relaxed_bounds),
+                     with_random_numbers("integer_energy", test_integer_energy),
+                     with_random_numbers("other_linear_solver", test_other_linear_solver),
+                   });
 }

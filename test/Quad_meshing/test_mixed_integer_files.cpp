@@ -45,21 +45,20 @@ bool read(const std::string& text, Problem& problem, std::vector<std::string>& n
 
 void mps()
 {
-  const std::string text =
-    "* a comment\n"
-    "NAME small\n"
-    "ROWS\n N cost\n L few\n G many\n E same\n N unused\n"
-    "COLUMNS\n"
-    " M1 'MARKER' 'INTORG'\n"
-    " x cost 1 few 1\n x many 1 unused 7\n"
-    " M2 'MARKER' 'INTEND'\n"
-    " y cost 2 few 1\n y same -1\n"
-    " z cost -1 same 1\n"
-    "RHS\n side few 4 many 1\n side same 0.5 cost -3\n"
-    "RANGES\n range few 2.5\n"
-    "BOUNDS\n UP limit x 4\n LO limit y -1\n UP limit y 1\n FR limit z\n"
-    "QUADOBJ\n y y 2\n"
-    "ENDATA\n";
+  const std::string text = "* a comment\n"
+                           "NAME small\n"
+                           "ROWS\n N cost\n L few\n G many\n E same\n N unused\n"
+                           "COLUMNS\n"
+                           " M1 'MARKER' 'INTORG'\n"
+                           " x cost 1 few 1\n x many 1 unused 7\n"
+                           " M2 'MARKER' 'INTEND'\n"
+                           " y cost 2 few 1\n y same -1\n"
+                           " z cost -1 same 1\n"
+                           "RHS\n side few 4 many 1\n side same 0.5 cost -3\n"
+                           "RANGES\n range few 2.5\n"
+                           "BOUNDS\n UP limit x 4\n LO limit y -1\n UP limit y 1\n FR limit z\n"
+                           "QUADOBJ\n y y 2\n"
+                           "ENDATA\n";
   Problem problem;
   std::vector<std::string> names;
   assert(read(text, problem, names));
@@ -79,8 +78,8 @@ void mps()
   assert(QM::solve_mixed_integer(problem).energy == -15.);
 
   for(const char* wrong :
-      {"", "NAME x\n", "ROWS\n N c\nCOLUMNS\n x d 1\nENDATA\n", "ROWS\n N c\nCOLUMNS\n x c one\nENDATA\n",
-       "ROWS\n X c\nENDATA\n", "ROWS\n N c\nBOUNDS\n UP b y 1\nENDATA\n", "SOS\n x\nENDATA\n"})
+      { "", "NAME x\n", "ROWS\n N c\nCOLUMNS\n x d 1\nENDATA\n", "ROWS\n N c\nCOLUMNS\n x c one\nENDATA\n",
+        "ROWS\n X c\nENDATA\n", "ROWS\n N c\nBOUNDS\n UP b y 1\nENDATA\n", "SOS\n x\nENDATA\n" })
   {
     assert(!read(wrong, problem, names));
     assert(names.size() == 1); // as it was
@@ -171,16 +170,16 @@ double optimum_of(const Other_solver& solver)
 
 void other_solvers()
 {
-  const Other_solver solvers[] = {{"GLPK",
-                                   "glpsol --version",
-                                   "glpsol --freemps random.mps -o other_solution.txt",
-                                   "cost = ",
-                                   {"INTEGER EMPTY", "INTEGER UNDEFINED"}},
-                                  {"Cbc",
-                                   "cbc -quit",
-                                   "cbc random.mps solve solution other_solution.txt",
-                                   "objective value",
-                                   {"Infeasible", "infeasible"}}};
+  const Other_solver solvers[] = { { "GLPK",
+                                     "glpsol --version",
+                                     "glpsol --freemps random.mps -o other_solution.txt",
+                                     "cost = ",
+                                     { "INTEGER EMPTY", "INTEGER UNDEFINED" } },
+                                   { "Cbc",
+                                     "cbc -quit",
+                                     "cbc random.mps solve solution other_solution.txt",
+                                     "objective value",
+                                     { "Infeasible", "infeasible" } } };
   for(const Other_solver& solver : solvers)
   {
     if(!is_installed(solver))
@@ -206,8 +205,8 @@ void other_solvers()
       for(Method method : { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT, Method::CUTTING_PLANES })
       {
         const Solution s = QM::solve_mixed_integer(
-            again, params::rounding_method(method).maximum_running_time(20.).maximum_number_of_nodes(
-                       method == Method::CUTTING_PLANES ? 200 : 20000));
+          again, params::rounding_method(method).maximum_running_time(20.).maximum_number_of_nodes(
+                   method == Method::CUTTING_PLANES ? 200 : 20000));
         if(s.status == Status::LIMIT_REACHED || s.status == Status::FEASIBLE)
         {
           assert(method == Method::CUTTING_PLANES); // which need not end with real variables
@@ -225,8 +224,9 @@ void other_solvers()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "mps", mps },
-    { "other_solvers", other_solvers },
-  });
+  return run_cases(argc, argv,
+                   {
+                     { "mps", mps },
+                     { "other_solvers", other_solvers },
+                   });
 }

@@ -45,7 +45,7 @@ const Method linear_methods[] = { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_C
 
 bool is_close(double a, double b) { return std::fabs(a - b) <= 1e-6 * (1. + std::fabs(a) + std::fabs(b)); }
 
-Eigen::SparseMatrix<double> sparse(const std::vector<std::vector<double> >& rows)
+Eigen::SparseMatrix<double> sparse(const std::vector<std::vector<double>>& rows)
 {
   const int n = static_cast<int>(rows.size());
   Eigen::SparseMatrix<double> A(n, n);
@@ -373,7 +373,7 @@ void large_coefficients()
     for(Method method : { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT })
     {
       const Solution s =
-          QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(3000));
+        QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(3000));
       assert(s.status != Status::NUMERICAL_FAILURE);
       if(s.is_valid())
         assert(is_feasible(problem, s.x));
@@ -460,11 +460,12 @@ int number_of_problems()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "singular_energies", singular_energies },
-    { "far_optima", far_optima },
-    { "large_coefficients", large_coefficients },
-    { "fuzz_quadratic", [] { fuzz(false, number_of_problems(), 1); } },
-    { "fuzz_linear", [] { fuzz(true, number_of_problems(), 2); } },
-  });
+  return run_cases(argc, argv,
+                   {
+                     { "singular_energies", singular_energies },
+                     { "far_optima", far_optima },
+                     { "large_coefficients", large_coefficients },
+                     { "fuzz_quadratic", [] { fuzz(false, number_of_problems(), 1); } },
+                     { "fuzz_linear", [] { fuzz(true, number_of_problems(), 2); } },
+                   });
 }

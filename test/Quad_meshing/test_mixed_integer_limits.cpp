@@ -33,9 +33,9 @@ typedef QM::Mixed_integer_solution Solution;
 typedef QM::Mixed_integer_status Status;
 typedef QM::Rounding_method Method;
 
-const Method all_methods[] = {Method::RELAXED,        Method::DIRECT,         Method::NAIVE,
-                              Method::GREEDY,         Method::LATTICE,        Method::BRANCH_AND_BOUND,
-                              Method::BRANCH_AND_CUT, Method::CUTTING_PLANES, Method::OUTER_APPROXIMATION};
+const Method all_methods[] = { Method::RELAXED,        Method::DIRECT,         Method::NAIVE,
+                               Method::GREEDY,         Method::LATTICE,        Method::BRANCH_AND_BOUND,
+                               Method::BRANCH_AND_CUT, Method::CUTTING_PLANES, Method::OUTER_APPROXIMATION };
 
 // Strongly coupled integers: no search proves their optimum.
 Problem coupled_integers(int integers, double bound)
@@ -87,8 +87,9 @@ Problem local_integers(int width)
 {
   CGAL::Random random(7);
   Problem problem(width * width);
-  for_each_grid_edge(width, [&](int, int j, bool is_down, Problem::Linear_form form)
-  {
+  for_each_grid_edge(width,
+                     [&](int, int j, bool is_down, Problem::Linear_form form)
+                     {
     if(is_down && j > 0)
       form.emplace_back(problem.add_variable(true), 1.);
     problem.add_squared_residual(form, random.get_double(-1., 1.));
@@ -136,7 +137,7 @@ struct Long_work
   std::string name;
   Problem problem;
   std::function<Solution(const Problem&, Watch&, double)> solve; // with a limit of seconds
-  bool has_early_solution; // whatever the limit
+  bool has_early_solution;                                       // whatever the limit
 };
 
 std::vector<Long_work> long_works()
@@ -146,9 +147,11 @@ std::vector<Long_work> long_works()
   {
     return [=](const Problem& problem, Watch& watch, double seconds)
     {
-      return QM::solve_mixed_integer(problem, params::rounding_method(method).maximum_number_of_nodes(infinite)
-                                                .maximum_running_time(seconds).visitor(std::ref(watch)));
-    };
+      return QM::solve_mixed_integer(
+        problem,
+        params::rounding_method(method).maximum_number_of_nodes(infinite).maximum_running_time(seconds).visitor(
+          std::ref(watch)));
+      };
   };
   std::vector<Long_work> works;
   works.push_back({ "lattice", coupled_integers(150, 0.), with(Method::LATTICE), true });
@@ -159,26 +162,26 @@ std::vector<Long_work> long_works()
   works.push_back({ "linear branch-and-cut", knapsacks(40), with(Method::BRANCH_AND_CUT), false });
   works.push_back({ "cutting planes", knapsacks(30), with(Method::CUTTING_PLANES), false });
   works.push_back({ "naive", local_integers(75), with(Method::NAIVE), true });
-  works.push_back({"greedy", local_integers(75),
-                   [](const Problem& problem, Watch& watch, double seconds)
-                   {
-                     return QM::solve_mixed_integer(problem, params::rounding_method(Method::GREEDY)
-                                                                 .rounding_tolerance(1e-12)
-                                                                 .simultaneous_rounding(false)
-                                                                 .maximum_running_time(seconds)
-                                                                 .visitor(std::ref(watch)));
+  works.push_back({ "greedy", local_integers(75),
+                    [](const Problem& problem, Watch& watch, double seconds)
+                    {
+    return QM::solve_mixed_integer(problem, params::rounding_method(Method::GREEDY)
+                                              .rounding_tolerance(1e-12)
+                                              .simultaneous_rounding(false)
+                                              .maximum_running_time(seconds)
+                                              .visitor(std::ref(watch)));
                    },
-                   true});
-  works.push_back({"relaxation", coupled_integers(120, 0.),
-                   [](const Problem& problem, Watch& watch, double seconds)
-                   {
-                     return QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE)
-                                                                 .maximum_number_of_nodes(1e4)
-                                                                 .number_of_bound_rounds(1000)
-                                                                 .maximum_running_time(seconds)
-                                                                 .visitor(std::ref(watch)));
+                    true });
+  works.push_back({ "relaxation", coupled_integers(120, 0.),
+                    [](const Problem& problem, Watch& watch, double seconds)
+                    {
+    return QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE)
+                                              .maximum_number_of_nodes(1e4)
+                                              .number_of_bound_rounds(1000)
+                                              .maximum_running_time(seconds)
+                                              .visitor(std::ref(watch)));
                    },
-                   true});
+                    true });
   return works;
 }
 
@@ -295,8 +298,8 @@ void elimination_order()
       problem.add_equality_constraint(form, random.get_double(-1., 1.));
     }
   const Solution best = QM::solve_mixed_integer(problem, params::rounding_method(Method::RELAXED));
-  const Solution given = QM::solve_mixed_integer(problem, params::rounding_method(Method::RELAXED)
-                                                            .elimination_order(QM::Elimination_order::AS_GIVEN));
+  const Solution given = QM::solve_mixed_integer(
+    problem, params::rounding_method(Method::RELAXED).elimination_order(QM::Elimination_order::AS_GIVEN));
   std::cout << "  entries " << best.matrix_entries << " and " << given.matrix_entries << std::endl;
   assert(best.status == Status::OPTIMAL && given.status == Status::OPTIMAL);
   assert((best.x - given.x).lpNorm<Eigen::Infinity>() < 1e-6);
@@ -307,7 +310,9 @@ void elimination_order()
 void allow_refactorization()
 {
   const Problem problem = local_integers(20);
-  const auto levels = params::rounding_method(Method::GREEDY).maximum_dense_integers(0).gauss_seidel_iterations(10)
+  const auto levels = params::rounding_method(Method::GREEDY)
+                        .maximum_dense_integers(0)
+                        .gauss_seidel_iterations(10)
                         .conjugate_gradient_iterations(1);
   const Solution with = QM::solve_mixed_integer(problem, levels);
   const Solution without = QM::solve_mixed_integer(problem, levels.allow_refactorization(false));
@@ -333,14 +338,15 @@ void choice_of_greedy()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "stop_at_once", stop_at_once },
-    { "stop_later", stop_later },
-    { "running_time", running_time },
-    { "constraint_tolerance", constraint_tolerance },
-    { "relative_gap_tolerance", relative_gap_tolerance },
-    { "elimination_order", elimination_order },
-    { "allow_refactorization", allow_refactorization },
-    { "choice_of_greedy", choice_of_greedy },
-  });
+  return run_cases(argc, argv,
+                   {
+                     { "stop_at_once", stop_at_once },
+                     { "stop_later", stop_later },
+                     { "running_time", running_time },
+                     { "constraint_tolerance", constraint_tolerance },
+                     { "relative_gap_tolerance", relative_gap_tolerance },
+                     { "elimination_order", elimination_order },
+                     { "allow_refactorization", allow_refactorization },
+                     { "choice_of_greedy", choice_of_greedy },
+                   });
 }

@@ -56,8 +56,9 @@ Values read(const Mesh& tm, const NamedParameters& parameters = np::default_valu
   using np::get_parameter;
   using np::get_parameter_reference;
   typedef CGAL::Static_boolean_property_map<Mesh::Edge_index, false> No_edge;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_edge>::type
-    Edge_map;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_edge>::type
+      Edge_map;
 
   Values values;
   values.edge_length = choose_parameter(get_parameter(parameters, internal_np::target_edge_length), -1.);
@@ -73,9 +74,11 @@ Values read(const Mesh& tm, const NamedParameters& parameters = np::default_valu
     values.constrained += get(edge_map, e);
 
   CGAL::Quad_meshing::Default_visitor default_visitor;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                       CGAL::Quad_meshing::Default_visitor>::reference Visitor_reference;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(parameters, internal_np::visitor), default_visitor);
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
+                                                 CGAL::Quad_meshing::Default_visitor>::reference Visitor_reference;
+  Visitor_reference visitor =
+    choose_parameter(get_parameter_reference(parameters, internal_np::visitor), default_visitor);
   visitor.on_stage_begin("reading");
   return values;
 }
@@ -109,17 +112,31 @@ int main()
   std::cout << "chains in every order" << std::endl;
   Counting_visitor visitor;
   auto check = [&](const Values& w)
-  {
-    assert(w.edge_length == 0.5 && !w.align && w.iterations == 7u && w.boundary_area == 54 && w.constrained == 1);
-  };
-  check(read(tm, np::target_edge_length(0.5).align_boundary(false).number_of_iterations(7u)
-                   .vertex_point_map(large).edge_is_constrained_map(sharp).visitor(std::ref(visitor))));
-  check(read(tm, np::target_edge_length(0.5).vertex_point_map(large).align_boundary(false)
-                   .edge_is_constrained_map(sharp).visitor(std::ref(visitor)).number_of_iterations(7u)));
-  check(read(tm, np::align_boundary(false).visitor(std::ref(visitor)).edge_is_constrained_map(sharp)
-                   .vertex_point_map(large).number_of_iterations(7u).target_edge_length(0.5)));
-  check(read(tm, np::align_boundary(false).number_of_iterations(7u).target_edge_length(0.5)
-                   .visitor(std::ref(visitor)).vertex_point_map(large).edge_is_constrained_map(sharp)));
+  { assert(w.edge_length == 0.5 && !w.align && w.iterations == 7u && w.boundary_area == 54 && w.constrained == 1); };
+  check(read(tm, np::target_edge_length(0.5)
+                   .align_boundary(false)
+                   .number_of_iterations(7u)
+                   .vertex_point_map(large)
+                   .edge_is_constrained_map(sharp)
+                   .visitor(std::ref(visitor))));
+  check(read(tm, np::target_edge_length(0.5)
+                   .vertex_point_map(large)
+                   .align_boundary(false)
+                   .edge_is_constrained_map(sharp)
+                   .visitor(std::ref(visitor))
+                   .number_of_iterations(7u)));
+  check(read(tm, np::align_boundary(false)
+                   .visitor(std::ref(visitor))
+                   .edge_is_constrained_map(sharp)
+                   .vertex_point_map(large)
+                   .number_of_iterations(7u)
+                   .target_edge_length(0.5)));
+  check(read(tm, np::align_boundary(false)
+                   .number_of_iterations(7u)
+                   .target_edge_length(0.5)
+                   .visitor(std::ref(visitor))
+                   .vertex_point_map(large)
+                   .edge_is_constrained_map(sharp)));
   assert(visitor.stages == 4);
 
   std::cout << "chains of the names of CGAL alone" << std::endl;
@@ -140,17 +157,17 @@ int main()
          3 * PMP::edge_length(halfedge(*edges(tm).begin(), tm), tm));
 
   std::cout << "every parameter of the package, as a function and as a member" << std::endl;
-#define CGAL_add_named_parameter(X, Y, Z)                                                           \
-  {                                                                                                 \
-    const auto first = np::Z(17).verbose(true);                                                     \
-    assert(np::get_parameter(first, internal_np::Y) == 17);                                         \
-    assert(np::get_parameter(first, internal_np::verbose));                                         \
-    const auto second = np::target_edge_length(1.5).verbose(true).Z(18);                            \
-    assert(np::get_parameter(second, internal_np::Y) == 18);                                        \
-    assert(np::get_parameter(second, internal_np::verbose));                                        \
-    typedef typename std::decay<decltype(first)>::type First;                                       \
-    static_assert(!np::is_default_parameter<First, internal_np::X>::value, "the parameter is there");    \
-    static_assert(np::is_default_parameter<First, internal_np::random_seed_t>::value, "this one is not"); \
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  {                                                                                                                    \
+    const auto first = np::Z(17).verbose(true);                                                                        \
+    assert(np::get_parameter(first, internal_np::Y) == 17);                                                            \
+    assert(np::get_parameter(first, internal_np::verbose));                                                            \
+    const auto second = np::target_edge_length(1.5).verbose(true).Z(18);                                               \
+    assert(np::get_parameter(second, internal_np::Y) == 18);                                                           \
+    assert(np::get_parameter(second, internal_np::verbose));                                                           \
+    typedef typename std::decay<decltype(first)>::type First;                                                          \
+    static_assert(!np::is_default_parameter<First, internal_np::X>::value, "the parameter is there");                  \
+    static_assert(np::is_default_parameter<First, internal_np::random_seed_t>::value, "this one is not");              \
   }
   CGAL_QUAD_MESHING_NAMED_PARAMETERS
 #undef CGAL_add_named_parameter

@@ -17,12 +17,12 @@
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
-#include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
-#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Cut_graph.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_grid_solver.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Integer_relations.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
+#include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/internal/Regularized_determinant.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -56,8 +56,8 @@ long value_of(const QM::internal::Integer_form& f, const std::vector<long>& x)
   return s;
 }
 
-// Whatever integers the free variables take, the equations hold. A system made with a solution is not called contradictory, and one
-// that is called so has no solution in a small box.
+// Whatever integers the free variables take, the equations hold. A system made with a solution is not called
+// contradictory, and one that is called so has no solution in a small box.
 void test_integer_relations()
 {
   CGAL::Random random(7);
@@ -80,8 +80,8 @@ void test_integer_relations()
           f.add(QM::internal::Integer_form::variable(i, 1 + random.get_int(0, 6)), random.get_int(0, 2) == 0 ? 1 : -1);
       f.constant = solvable ? static_cast<int>(-value_of(f, known)) : random.get_int(-5, 6);
       equations.push_back(f);
-      contradiction = contradiction ||
-        relations.add_equation(f, [](int i) { return i % 2; }) == QM::internal::Integer_relations::CONTRADICTION;
+      contradiction = contradiction || relations.add_equation(f, [](int i) { return i % 2; }) ==
+                                         QM::internal::Integer_relations::CONTRADICTION;
     }
     if(solvable)
       assert(!contradiction);
@@ -127,10 +127,12 @@ void test_integer_relations()
 
 QM::internal::Indexed_triangle_mesh indexed(const Mesh& tm)
 {
-  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
+  return QM::internal::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm),
+                                                  get(boost::face_index, tm));
 }
 
-// Opened along the cut, each component is a disk: Euler number 1 and one border loop; singular vertices lie on its border.
+// Opened along the cut, each component is a disk: Euler number 1 and one border loop; singular vertices lie on its
+// border.
 void test_cut_graph(const Mesh& tm, const std::vector<int>& singular)
 {
   const QM::internal::Indexed_triangle_mesh mesh = indexed(tm);
@@ -253,8 +255,9 @@ void test_narrow_patches()
 {
   const int columns = 21, rows = 40;
   const double chamfer = 0.02;
-  const test_meshes::Soup sheet = test_meshes::mapped(test_meshes::grid(columns, rows, columns, 4), [&](const Kernel::Point_3& p)
-  {
+  const test_meshes::Soup sheet = test_meshes::mapped(test_meshes::grid(columns, rows, columns, 4),
+                                                      [&](const Kernel::Point_3& p)
+                                                      {
     const double i = std::round(p.x());
     return i <= 10 ? Kernel::Point_3(0.1 * i, p.y(), 0) : Kernel::Point_3(1 + chamfer, p.y(), chamfer + 0.1 * (i - 11));
   });
@@ -295,13 +298,12 @@ Mapped map_of(const test_meshes::Soup& soup, double length, QM::Rounding_method 
   m.jump = m.tm.add_property_map<Mesh::Edge_index, int>("e:p", 0).first;
   QM::detect_feature_edges(m.tm, 40, length, m.is_feature);
   QM::split_for_alignment(m.tm, m.tm.points(), m.is_feature, true, origin, 1.5 * length);
-  const QM::Cross_field_result field =
-    QM::smooth_cross_field(m.tm, m.angle, m.jump, m.index, parameters::target_edge_length(length).edge_is_constrained_map(m.is_feature));
+  const QM::Cross_field_result field = QM::smooth_cross_field(
+    m.tm, m.angle, m.jump, m.index, parameters::target_edge_length(length).edge_is_constrained_map(m.is_feature));
   assert(field.is_valid());
-  m.result = QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv,
-                                  parameters::target_edge_length(length)
-                                    .edge_is_constrained_map(m.is_feature)
-                                    .rounding_method(method));
+  m.result = QM::integer_grid_map(
+    m.tm, m.angle, m.jump, m.index, m.uv,
+    parameters::target_edge_length(length).edge_is_constrained_map(m.is_feature).rounding_method(method));
   std::cout << what << ": " << m.result.message << " " << m.result.integers << " integers, energy "
             << m.result.relaxed_energy << " -> " << m.result.energy << std::endl;
   assert(m.result.is_valid());
@@ -338,7 +340,7 @@ void test_maps()
   // The unit cube: six squares of 5 x 5.
   assert(area_of_map(map_of(test_meshes::cube(6), 0.2, QM::Rounding_method::GREEDY, "cube")) == 150);
   for(QM::Rounding_method method :
-      {QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE})
+      { QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY, QM::Rounding_method::LATTICE })
   {
     const double sphere = area_of_map(map_of(test_meshes::icosphere(3), 0.2, method, "sphere"));
     assert(std::abs(sphere / (4 * std::acos(-1.) / 0.04) - 1) < 0.25);
@@ -383,7 +385,8 @@ void test_threads()
 void test_check()
 {
   const Mapped good = map_of(test_meshes::cube(6), 0.2, QM::Rounding_method::GREEDY, "cube");
-  const auto check = [&](const Mapped& m) { return QM::is_integer_grid_map(m.tm, m.uv, parameters::edge_is_constrained_map(m.is_feature)); };
+  const auto check = [&](const Mapped& m)
+  { return QM::is_integer_grid_map(m.tm, m.uv, parameters::edge_is_constrained_map(m.is_feature)); };
   const Mesh::Face_index f = *good.tm.faces().begin();
 
   Mapped m = good; // copies of property maps refer to the original mesh: work on the copy's own
@@ -408,7 +411,8 @@ void test_check()
   assert(report.faces_not_finite.size() == 1 && report.faces_not_finite[0] == f);
   m.uv[h] = p;
 
-  for(Mesh::Halfedge_index g : m.tm.halfedges()) // everything moved by a half: singular vertices and features leave the grid
+  for(Mesh::Halfedge_index g :
+      m.tm.halfedges()) // everything moved by a half: singular vertices and features leave the grid
     m.uv[g] = m.uv[g] + Kernel::Vector_2(0.5, 0);
   report = check(m);
   assert(report.folded_faces.empty());
@@ -557,7 +561,8 @@ void test_pinched_vertices()
   const auto v = stage_checks::pinch(m.tm);
   const std::vector<Kernel::Point_2> before(m.uv.begin(), m.uv.end());
   const auto r = QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv, parameters::target_edge_length(0.3));
-  assert(r.status == Status::NON_MANIFOLD_VERTEX && r.message.find("vertex " + std::to_string(v) + " ") != std::string::npos);
+  assert(r.status == Status::NON_MANIFOLD_VERTEX &&
+         r.message.find("vertex " + std::to_string(v) + " ") != std::string::npos);
   assert(before == std::vector<Kernel::Point_2>(m.uv.begin(), m.uv.end()));
   // The map is still right everywhere else, and the check of it looks at every fan.
   assert(QM::is_integer_grid_map(m.tm, m.uv, parameters::align_boundary(false)));
@@ -703,14 +708,16 @@ void test_orientation_energy()
           // The gradients of u and v in the plane of the triangle, and the directions of the combed field there.
           const auto a = s.mesh.vector(3 * f), b = -s.mesh.vector(3 * f + 2);
           const double l = std::sqrt(a * a), bx = a * b / l, by = std::sqrt(b * b - bx * bx), area = l * by / 2;
-          const auto corner = [&](int k, int c) { return coordinates.value(coordinates.charts.wedge_of_corner[3 * f + k], c, x); };
+          const auto corner = [&](int k, int c)
+          { return coordinates.value(coordinates.charts.wedge_of_corner[3 * f + k], c, x); };
           const auto& u = coordinates.charts.u_direction[f];
           for(int c = 0; c < 2; ++c)
           {
             const double gx = (corner(1, c) - corner(0, c)) / l, gy = (corner(2, c) - corner(0, c) - gx * bx) / by;
             const double along_u = length * (gx * u[0] + gy * u[1]), along_v = length * (-gx * u[1] + gy * u[0]);
             const double off_u = along_u - (c == 0), off_v = along_v - (c == 1);
-            sum += weight[f] * area / (length * length) * ((c == 0 ? g : 1) * off_u * off_u + (c == 1 ? g : 1) * off_v * off_v);
+            sum += weight[f] * area / (length * length) *
+                   ((c == 0 ? g : 1) * off_u * off_u + (c == 1 ? g : 1) * off_v * off_v);
           }
         }
         return sum;
@@ -728,7 +735,8 @@ void test_orientation_energy()
         forth[i] += 0.5;
         back[i] -= 0.5; // central differences of a quadratic function are exact
         assert(std::abs(by_definition(forth) - by_definition(back) - gradient[i]) < 1e-7 * (1 + gradient.norm()));
-        assert(std::abs(by_definition(forth) + by_definition(back) - 2 * value - energy.A.coeff(i, i) / 4) < 1e-7 * value);
+        assert(std::abs(by_definition(forth) + by_definition(back) - 2 * value - energy.A.coeff(i, i) / 4) <
+               1e-7 * value);
       }
       // Some variables kept: the rest of the same function.
       std::vector<int> number(x.size(), -1), free;
@@ -737,7 +745,8 @@ void test_orientation_energy()
         number[i] = static_cast<int>(free.size());
         free.push_back(i);
       }
-      const QM::internal::Orientation_energy part(coordinates, s.solver->faces, weight, g, number, static_cast<int>(free.size()), x);
+      const QM::internal::Orientation_energy part(coordinates, s.solver->faces, weight, g, number,
+                                                  static_cast<int>(free.size()), x);
       Eigen::VectorXd y(free.size());
       for(int k = 0; k < y.size(); ++k)
         y[k] = x[free[k]] = random.get_double(-3, 3);
@@ -763,7 +772,8 @@ void test_parameters()
   assert(solve(parameters::target_edge_length(0.1)).is_valid() && area_of_map(m) == 220);
   for(Mesh::Face_index f : m.tm.faces()) // one half of the rectangle with quads of half the width
     if(CGAL::centroid(m.tm.point(m.tm.source(m.tm.halfedge(f))), m.tm.point(m.tm.target(m.tm.halfedge(f))),
-                      m.tm.point(m.tm.target(m.tm.next(m.tm.halfedge(f))))).x() < 1)
+                      m.tm.point(m.tm.target(m.tm.next(m.tm.halfedge(f)))))
+         .x() < 1)
       sizing[f] = 0.2;
   assert(solve(parameters::face_sizing_map(sizing)).is_valid() && area_of_map(m) > 80 && area_of_map(m) < 200);
   double left = 0, right = 0;
@@ -830,8 +840,8 @@ void test_sharp_edges()
     }
 }
 
-// What lies within one and a half units of something else is watched, and nothing further away: the long sides of a strip of
-// 1.2 quads, but not of 1.8.
+// What lies within one and a half units of something else is watched, and nothing further away: the long sides of a
+// strip of 1.2 quads, but not of 1.8.
 void test_separations()
 {
   const double length = 0.2;
@@ -855,15 +865,16 @@ void test_separations()
 void test_stops()
 {
   // A surface on which fold-overs have to be removed, so that all parts of the work take steps.
-  Mapped m = map_of(test_meshes::perturbed(test_meshes::double_ring(4), 0.03, 5), 0.3, QM::Rounding_method::GREEDY, "rings");
-  stage_checks::check_stops([&](stage_checks::Counting_visitor& visitor)
-  {
+  Mapped m =
+    map_of(test_meshes::perturbed(test_meshes::double_ring(4), 0.03, 5), 0.3, QM::Rounding_method::GREEDY, "rings");
+  stage_checks::check_stops(
+    [&](stage_checks::Counting_visitor& visitor)
+    {
     for(Mesh::Halfedge_index h : m.tm.halfedges())
       m.uv[h] = Kernel::Point_2(17, 17);
-    const auto r = QM::integer_grid_map(m.tm, m.angle, m.jump, m.index, m.uv,
-                                        parameters::target_edge_length(0.3)
-                                          .edge_is_constrained_map(m.is_feature)
-                                          .visitor(std::ref(visitor)));
+    const auto r = QM::integer_grid_map(
+      m.tm, m.angle, m.jump, m.index, m.uv,
+      parameters::target_edge_length(0.3).edge_is_constrained_map(m.is_feature).visitor(std::ref(visitor)));
     assert(r.is_valid() || r.status == QM::Integer_grid_map_status::STOPPED);
     for(Mesh::Halfedge_index h : m.tm.halfedges())
       assert(r.is_valid() || m.uv[h] == Kernel::Point_2(17, 17));
@@ -886,26 +897,25 @@ void test_cut_graphs()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "integer_relations", test_integer_relations },
-    { "cut_graphs", test_cut_graphs },
-    { "preparation", test_preparation },
-    { "feature_filter", test_feature_filter },
-    { "narrow_patches", test_narrow_patches },
-    { "networks_of_short_chains", test_networks_of_short_chains },
-    { "maps", test_maps },
-    { "check", test_check },
-    { "separated_rounding", test_separated_rounding },
-    { "carrying", test_carrying },
-    { "threads", test_threads },
-    { "bad_input", test_bad_input },
-    { "pinched_vertices", test_pinched_vertices },
-    { "distortion", test_distortion },
-    { "orientation_energy", test_orientation_energy },
-    { "parameters", test_parameters },
-    { "stiffening", test_stiffening },
-    { "sharp_edges", test_sharp_edges },
-    { "separations", test_separations },
-    { "stops", test_stops }
-  });
+  return run_cases(argc, argv,
+                   { { "integer_relations", test_integer_relations },
+                     { "cut_graphs", test_cut_graphs },
+                     { "preparation", test_preparation },
+                     { "feature_filter", test_feature_filter },
+                     { "narrow_patches", test_narrow_patches },
+                     { "networks_of_short_chains", test_networks_of_short_chains },
+                     { "maps", test_maps },
+                     { "check", test_check },
+                     { "separated_rounding", test_separated_rounding },
+                     { "carrying", test_carrying },
+                     { "threads", test_threads },
+                     { "bad_input", test_bad_input },
+                     { "pinched_vertices", test_pinched_vertices },
+                     { "distortion", test_distortion },
+                     { "orientation_energy", test_orientation_energy },
+                     { "parameters", test_parameters },
+                     { "stiffening", test_stiffening },
+                     { "sharp_edges", test_sharp_edges },
+                     { "separations", test_separations },
+                     { "stops", test_stops } });
 }

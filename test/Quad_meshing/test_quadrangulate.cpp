@@ -59,8 +59,8 @@ Mesh quads_of(const TriangleMesh& tm, double quads, const char* what, double tol
 {
   Mesh qm;
   const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(quads));
-  std::cout << what << ": " << r.message << " " << r.quads << " quads, " << r.irregular_vertices << " irregular vertices, "
-            << r.folded_quads << " folded" << std::endl;
+  std::cout << what << ": " << r.message << " " << r.quads << " quads, " << r.irregular_vertices
+            << " irregular vertices, " << r.folded_quads << " folded" << std::endl;
   assert(r.is_valid());
   const auto before = quad_mesh_checks::figures(tm), after = quad_mesh_checks::figures(qm);
   assert(after.is_valid() && after.is_simple());
@@ -98,7 +98,8 @@ void test_features()
 
 void test_border()
 {
-  const Mesh qm = quads_of(test_meshes::make_mesh(test_meshes::grid_with_hole(14, 14, 5, 9, 5, 9)), 500, "square with a hole");
+  const Mesh qm =
+    quads_of(test_meshes::make_mesh(test_meshes::grid_with_hole(14, 14, 5, 9, 5, 9)), 500, "square with a hole");
   double length = 0;
   for(Mesh::Edge_index e : qm.edges())
     if(qm.is_border(e))
@@ -113,9 +114,10 @@ void test_locations()
   for(unsigned int steps : { 0u, 10u })
   {
     Mesh qm;
-    auto location = qm.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
-    const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(300.)
-                                                 .smoothing_iterations(steps).face_location_map(location));
+    auto location =
+      qm.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:l").first;
+    const Result r = QM::quadrangulate(
+      tm, qm, parameters::target_number_of_quads(300.).smoothing_iterations(steps).face_location_map(location));
     assert(r.is_valid());
     for(Mesh::Vertex_index v : qm.vertices())
     {
@@ -134,8 +136,10 @@ void test_invariance()
   assert(a.number_of_faces() == b.number_of_faces());
   for(Mesh::Vertex_index v : a.vertices())
     assert(a.point(v) == b.point(v));
-  const Mesh large = quads_of(test_meshes::make_mesh(test_meshes::mapped(soup, [](const Kernel::Point_3& p)
-    { return Kernel::Point_3(1024 * p.x(), 1024 * p.y(), 1024 * p.z()); })), 400, "large ball");
+  const Mesh large = quads_of(
+    test_meshes::make_mesh(test_meshes::mapped(
+      soup, [](const Kernel::Point_3& p) { return Kernel::Point_3(1024 * p.x(), 1024 * p.y(), 1024 * p.z()); })),
+    400, "large ball");
   assert(large.number_of_faces() == a.number_of_faces());
   quads_of(test_meshes::make_mesh<Polyhedron>(soup), 400, "polyhedron");
 }
@@ -143,12 +147,14 @@ void test_invariance()
 void test_directions_and_features_of_the_user()
 {
   Mesh tm = test_meshes::make_mesh(test_meshes::grid(20, 20));
-  auto direction = tm.add_property_map<Mesh::Face_index, boost::optional<Kernel::Vector_3> >("f:d").first;
+  auto direction = tm.add_property_map<Mesh::Face_index, boost::optional<Kernel::Vector_3>>("f:d").first;
   for(Mesh::Face_index f : tm.faces())
     direction[f] = Kernel::Vector_3(1, 1, 0);
   Mesh qm;
-  const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(400.).align_boundary(false)
-                                               .face_direction_map(direction).smoothing_iterations(0u));
+  const Result r = QM::quadrangulate(
+    tm, qm,
+    parameters::target_number_of_quads(400.).align_boundary(false).face_direction_map(direction).smoothing_iterations(
+      0u));
   std::cout << "diagonal directions: " << r.message << std::endl;
   for(Mesh::Edge_index e : qm.edges())
   {
@@ -162,7 +168,8 @@ void test_directions_and_features_of_the_user()
   for(Mesh::Edge_index e : tm.edges())
     is_feature[e] = in_middle(tm.point(tm.vertex(e, 0))) && in_middle(tm.point(tm.vertex(e, 1)));
   Mesh split;
-  assert(QM::quadrangulate(tm, split, parameters::target_number_of_quads(121.).edge_is_constrained_map(is_feature)).is_valid());
+  assert(QM::quadrangulate(tm, split, parameters::target_number_of_quads(121.).edge_is_constrained_map(is_feature))
+           .is_valid());
   assert(std::abs(length_on_lines(split, in_middle) - 1) < 1e-9);
 }
 
@@ -172,18 +179,21 @@ void test_optimized_structure()
   const Mesh tm = test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1));
   const auto np = parameters::target_number_of_quads(500.);
   Mesh plain, coarse;
-  auto location = coarse.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
+  auto location =
+    coarse.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:l").first;
   assert(QM::quadrangulate(tm, plain, np).is_valid());
   const Result r = QM::quadrangulate(tm, coarse, np.optimize_structure(true).face_location_map(location));
   std::cout << "optimized structure: " << r.message << " " << r.quads << " quads" << std::endl;
   assert(r.is_valid() && r.structure_seconds > 0 && r.folded_quads == 0);
   const auto before = quad_mesh_checks::figures(plain), after = quad_mesh_checks::figures(coarse);
   assert(after.is_valid() && after.same_topology(before) && after.quads == r.quads);
-  assert(after.irregular_vertices() == before.irregular_vertices() && r.irregular_vertices == after.irregular_vertices());
+  assert(after.irregular_vertices() == before.irregular_vertices() &&
+         r.irregular_vertices == after.irregular_vertices());
   const std::size_t patches = QM::quad_mesh_structure(plain).number_of_patches;
   assert(QM::quad_mesh_structure(coarse).number_of_patches < patches);
   for(Mesh::Vertex_index v : coarse.vertices())
-    assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], tm), coarse.point(v)) < 1e-12);
+    assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], tm), coarse.point(v)) <
+           1e-12);
 }
 
 // Of a crease across a square, the edges with an end within the radius of the face are released, and no others.
@@ -214,13 +224,14 @@ void test_release_near_a_face()
       assert(is_feature[e] == (CGAL::midpoint(tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1))).y() > released));
 }
 
-// At the corners of 45 degrees of this tetrahedron no map can follow all creases without fold-overs: they are released there.
-// Creases that the user has marked are not, and the answer says what became of the mesh.
+// At the corners of 45 degrees of this tetrahedron no map can follow all creases without fold-overs: they are released
+// there. Creases that the user has marked are not, and the answer says what became of the mesh.
 void test_released_features()
 {
   test_meshes::Soup tetrahedron;
-  tetrahedron.points = { Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1) };
-  tetrahedron.triangles = { {{ 0, 2, 1 }}, {{ 0, 1, 3 }}, {{ 0, 3, 2 }}, {{ 1, 2, 3 }} };
+  tetrahedron.points = { Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                         Kernel::Point_3(0, 0, 1) };
+  tetrahedron.triangles = { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 0, 3, 2 } }, { { 1, 2, 3 } } };
   const Mesh tm = test_meshes::make_mesh(tetrahedron);
   const auto np = parameters::target_number_of_quads(4000.);
   Mesh qm;
@@ -287,7 +298,8 @@ void test_gaps()
   assert(a.quads > 100 && a.quads == b.quads && a.singularities == b.singularities && a.energy == b.energy);
 }
 
-// A tube with two quads around it would have two edges between the same vertices. A grid that is a little finer has three.
+// A tube with two quads around it would have two edges between the same vertices. A grid that is a little finer has
+// three.
 void test_grid_too_coarse()
 {
   const Mesh tm = test_meshes::make_mesh(test_meshes::cylinder(40, 40, false, 1, 10));
@@ -314,8 +326,8 @@ void test_too_many_singularities()
   for(double angle : { 40., 180. })
   {
     Mesh qm;
-    const Result r = QM::quadrangulate(test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(4), 0.1)), qm,
-                                       parameters::sharpness_angle(angle));
+    const Result r = QM::quadrangulate(test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(4), 0.1)),
+                                       qm, parameters::sharpness_angle(angle));
     std::cout << "noise: " << r.message << std::endl;
     assert(r.status == Status::FAILED && qm.is_empty() && r.singularities > 1200 && r.parameterization_attempts == 0);
     assert(r.released_feature_share == (r.feature_edges > 0 ? 1 : 0));
@@ -367,8 +379,8 @@ void test_renumbering()
 {
   CGAL::Random random(1);
   std::cout << "seed " << random.get_seed() << std::endl;
-  for(const test_meshes::Soup& soup : { test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1), test_meshes::l_prism(4),
-                                        test_meshes::grid_with_hole(9, 9, 3, 5, 3, 6) })
+  for(const test_meshes::Soup& soup : { test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1),
+                                        test_meshes::l_prism(4), test_meshes::grid_with_hole(9, 9, 3, 5, 3, 6) })
   {
     test_meshes::Soup other;
     std::vector<std::size_t> order(soup.points.size());
@@ -385,7 +397,8 @@ void test_renumbering()
         v = order[v];
       std::rotate(t.begin(), t.begin() + random.get_int(0, 3), t.end());
     }
-    const Mesh a = quads_of(test_meshes::make_mesh(soup), 500, "numbered"), b = quads_of(test_meshes::make_mesh(other), 500, "renumbered");
+    const Mesh a = quads_of(test_meshes::make_mesh(soup), 500, "numbered"),
+               b = quads_of(test_meshes::make_mesh(other), 500, "renumbered");
     assert(are_equal(a, b));
   }
 }
@@ -435,15 +448,15 @@ void test_double_edges()
   QM::internal::Triangle_input input;
   for(int i = 0; i < 6; ++i)
     input.points.emplace_back(i, i * i, i * i * i);
-  input.triangles = { {{ 4, 1, 0 }}, {{ 1, 4, 2 }}, {{ 4, 1, 3 }}, {{ 1, 4, 5 }} };
+  input.triangles = { { { 4, 1, 0 } }, { { 1, 4, 2 } }, { { 4, 1, 3 } }, { { 1, 4, 5 } } };
   const std::string error = QM::internal::Surface_components(input).error;
   std::cout << error << std::endl;
   assert(error.find("1") != std::string::npos && error.find("4") != std::string::npos);
-  input.triangles = { {{ 4, 1, 0 }}, {{ 4, 1, 3 }} };
+  input.triangles = { { { 4, 1, 0 } }, { { 4, 1, 3 } } };
   assert(QM::internal::Surface_components(input).error.find("orientation") != std::string::npos);
-  input.triangles = { {{ 4, 4, 0 }} };
+  input.triangles = { { { 4, 4, 0 } } };
   assert(!QM::internal::Surface_components(input).error.empty());
-  input.triangles = { {{ 4, 1, 0 }}, {{ 1, 4, 2 }} };
+  input.triangles = { { { 4, 1, 0 } }, { { 1, 4, 2 } } };
   assert(QM::internal::Surface_components(input).error.empty());
 }
 
@@ -466,22 +479,27 @@ void test_components()
   }
 
   // A ball and, far away, one of a tenth of its size, too small for such quads: it gets smaller ones.
-  const test_meshes::Soup small = test_meshes::mapped(ball, [](const Kernel::Point_3& p)
-    { return Kernel::Point_3(10 + p.x() / 30, p.y() / 30, p.z() / 30); });
+  const test_meshes::Soup small = test_meshes::mapped(
+    ball, [](const Kernel::Point_3& p) { return Kernel::Point_3(10 + p.x() / 30, p.y() / 30, p.z() / 30); });
   Mesh one, two, alone_quads;
-  auto location = two.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3> > >("v:l").first;
+  auto location =
+    two.add_property_map<Mesh::Vertex_index, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:l").first;
   const Mesh both = test_meshes::make_mesh(test_meshes::joined(ball, small));
   const Result r1 = QM::quadrangulate(both, one, parameters::target_edge_length(0.2));
-  const Result r2 = QM::quadrangulate(both, two, parameters::target_edge_length(0.2).number_of_threads(2u).face_location_map(location));
+  const Result r2 =
+    QM::quadrangulate(both, two, parameters::target_edge_length(0.2).number_of_threads(2u).face_location_map(location));
   std::cout << "two balls: " << r1.message << std::endl;
-  assert(r1.is_valid() && r1.components == 2 && r1.refined_components == 1 && r1.message.find("smaller quads") != std::string::npos);
+  assert(r1.is_valid() && r1.components == 2 && r1.refined_components == 1 &&
+         r1.message.find("smaller quads") != std::string::npos);
   assert(r2.is_valid() && are_equal(one, two));
   assert(QM::quadrangulate(alone, alone_quads, parameters::target_edge_length(0.2)).is_valid());
-  const std::size_t first = one.point(*one.vertices().begin()).x() < 8 ? 0 : one.number_of_vertices() - alone_quads.number_of_vertices();
+  const std::size_t first =
+    one.point(*one.vertices().begin()).x() < 8 ? 0 : one.number_of_vertices() - alone_quads.number_of_vertices();
   for(Mesh::Vertex_index v : alone_quads.vertices()) // the large one is what it is alone
     assert(one.point(Mesh::Vertex_index(static_cast<Mesh::size_type>(v + first))) == alone_quads.point(v));
   for(Mesh::Vertex_index v : two.vertices())
-    assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], both), two.point(v)) < 1e-12);
+    assert(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(location[v], both), two.point(v)) <
+           1e-12);
 }
 
 // Stops when it is asked for the n-th time.
@@ -497,7 +515,7 @@ void test_stops()
 {
   const Mesh tm = test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1));
   int asked = 0;
-  for(int n = 0; ; n += 1 + n / 3)
+  for(int n = 0;; n += 1 + n / 3)
   {
     Mesh qm;
     Stops_after stops(n);
@@ -530,7 +548,8 @@ void test_bad_input_and_stops()
     assert(QM::quadrangulate(tm, qm, parameters::target_edge_length(length)).status == Status::INVALID_INPUT);
   assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(0.)).status == Status::INVALID_INPUT);
   Stops_at_once stops;
-  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(stops))).status == Status::STOPPED);
+  assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(stops))).status ==
+         Status::STOPPED);
   assert(qm.number_of_faces() == 0);
   Counts_stages counts;
   assert(QM::quadrangulate(tm, qm, parameters::target_number_of_quads(100.).visitor(std::ref(counts))).is_valid());
@@ -540,7 +559,8 @@ void test_bad_input_and_stops()
   Mesh none;
   assert(QM::quadrangulate(nan, none).status == Status::INVALID_INPUT && none.number_of_faces() == 0);
   Mesh same = tm;
-  assert(QM::quadrangulate(same, same).status == Status::INVALID_INPUT && same.number_of_faces() == tm.number_of_faces());
+  assert(QM::quadrangulate(same, same).status == Status::INVALID_INPUT &&
+         same.number_of_faces() == tm.number_of_faces());
   const Result many = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(1e9));
   assert(many.status == Status::INVALID_INPUT && many.message.find("quads are asked for") != std::string::npos);
 }
@@ -562,28 +582,27 @@ void test_real_mesh()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "features", test_features },
-    { "border", test_border },
-    { "topologies", test_topologies },
-    { "locations", test_locations },
-    { "invariance", test_invariance },
-    { "renumbering", test_renumbering },
-    { "second_run", test_second_run },
-    { "directions_and_features_of_the_user", test_directions_and_features_of_the_user },
-    { "optimized_structure", test_optimized_structure },
-    { "smoothing_iterations", test_smoothing_iterations },
-    { "release_near_a_face", test_release_near_a_face },
-    { "released_features", test_released_features },
-    { "gaps", test_gaps },
-    { "borders_that_touch", test_borders_that_touch },
-    { "double_edges", test_double_edges },
-    { "components", test_components },
-    { "grid_too_coarse", test_grid_too_coarse },
-    { "too_many_singularities", test_too_many_singularities },
-    { "stops", test_stops },
-    { "time_limit", test_time_limit },
-    { "bad_input_and_stops", test_bad_input_and_stops },
-    { "real_mesh", test_real_mesh }
-  });
+  return run_cases(argc, argv,
+                   { { "features", test_features },
+                     { "border", test_border },
+                     { "topologies", test_topologies },
+                     { "locations", test_locations },
+                     { "invariance", test_invariance },
+                     { "renumbering", test_renumbering },
+                     { "second_run", test_second_run },
+                     { "directions_and_features_of_the_user", test_directions_and_features_of_the_user },
+                     { "optimized_structure", test_optimized_structure },
+                     { "smoothing_iterations", test_smoothing_iterations },
+                     { "release_near_a_face", test_release_near_a_face },
+                     { "released_features", test_released_features },
+                     { "gaps", test_gaps },
+                     { "borders_that_touch", test_borders_that_touch },
+                     { "double_edges", test_double_edges },
+                     { "components", test_components },
+                     { "grid_too_coarse", test_grid_too_coarse },
+                     { "too_many_singularities", test_too_many_singularities },
+                     { "stops", test_stops },
+                     { "time_limit", test_time_limit },
+                     { "bad_input_and_stops", test_bad_input_and_stops },
+                     { "real_mesh", test_real_mesh } });
 }

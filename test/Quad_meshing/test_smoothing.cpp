@@ -44,10 +44,7 @@ namespace {
 // Step of central differences: the error of a first difference is about its square, plus 1e-16 over it.
 constexpr double step = 1e-5;
 
-bool agree(double a, double b, double scale, double tolerance = 1e-6)
-{
-  return std::abs(a - b) <= tolerance * scale;
-}
+bool agree(double a, double b, double scale, double tolerance = 1e-6) { return std::abs(a - b) <= tolerance * scale; }
 
 // The quad p, p1, p2, p3, its normal, and the energy of the three corners that move with p.
 struct Moving_quad
@@ -67,7 +64,7 @@ struct Moving_quad
   // What the documentation says, from the positions alone.
   double formula(double x, double y) const
   {
-    const std::array<Point_3, 4> q = {{ p[0] + x * u + y * w, p[1], p[2], p[3] }};
+    const std::array<Point_3, 4> q = { { p[0] + x * u + y * w, p[1], p[2], p[3] } };
     double sum = 0;
     for(int k : { 0, 1, 3 })
     {
@@ -82,10 +79,10 @@ struct Moving_quad
 
 Moving_quad random_quad(CGAL::Random& random, bool folded)
 {
-  auto about = [&](double x, double y) { return Point_3(x + random.get_double(-0.2, 0.2), y + random.get_double(-0.2, 0.2),
-                                                        random.get_double(-0.2, 0.2)); };
+  auto about = [&](double x, double y)
+  { return Point_3(x + random.get_double(-0.2, 0.2), y + random.get_double(-0.2, 0.2), random.get_double(-0.2, 0.2)); };
   Moving_quad q;
-  q.p = {{ folded ? about(1.2, 1.1) : about(0, 0), about(1, 0), about(1, 1), about(0, 1) }};
+  q.p = { { folded ? about(1.2, 1.1) : about(0, 0), about(1, 0), about(1, 1), about(0, 1) } };
   const double t = random.get_double(0, 3);
   q.normal = Vector_3(0, 0, 1);
   q.u = Vector_3(std::cos(t), std::sin(t), 0);
@@ -149,8 +146,12 @@ void test_corner_energy()
 void test_least_energy()
 {
   const Vector_3 n(0, 0, 1);
-  Moving_quad square{ {{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0) }}, n, Vector_3(1, 0, 0),
-                      Vector_3(0, 1, 0), 1, 0 };
+  Moving_quad square{ { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0) } },
+                      n,
+                      Vector_3(1, 0, 0),
+                      Vector_3(0, 1, 0),
+                      1,
+                      0 };
   assert(std::abs(square.at(0, 0).value() - 3 * (1 + Corner_energy::area_weight)) < 1e-14);
   const double least = Rectangle_energy::value(Vector_3(1, 0, 0), Vector_3(0, 1, 0), n, 1);
   assert(std::abs(least - Rectangle_energy::least) < 1e-14);
@@ -172,9 +173,7 @@ void test_rectangle_energy()
   typedef Rectangle_energy::Sides Sides;
   const double l = Rectangle_energy::squareness, area_weight = Rectangle_energy::area_weight;
   auto value = [](const Sides& x, double aim)
-  {
-    return Rectangle_energy::value(Vector_3(x[0], x[1], 0), Vector_3(x[2], x[3], 0), Vector_3(0, 0, 1), aim);
-  };
+  { return Rectangle_energy::value(Vector_3(x[0], x[1], 0), Vector_3(x[2], x[3], 0), Vector_3(0, 0, 1), aim); };
   // s, theta, t of two sides, and the energy of them
   auto coordinates = [](const Sides& x, double aim)
   {
@@ -183,16 +182,15 @@ void test_rectangle_energy()
                            std::log(cross / aim));
   };
   auto energy = [&](const Eigen::Vector3d& c)
-  {
-    return (l * std::cosh(c[0]) + 1 - l) / std::sin(c[1]) + area_weight * std::cosh(c[2]);
-  };
+  { return (l * std::cosh(c[0]) + 1 - l) / std::sin(c[1]) + area_weight * std::cosh(c[2]); };
   constexpr double long_step = 1e-4; // of second differences
 
   CGAL::Random random(3);
   for(int i = 0; i < 200; ++i)
   {
     Sides x;
-    x << random.get_double(0.5, 2), random.get_double(-0.4, 0.4), random.get_double(-0.4, 0.4), random.get_double(0.5, 2);
+    x << random.get_double(0.5, 2), random.get_double(-0.4, 0.4), random.get_double(-0.4, 0.4),
+      random.get_double(0.5, 2);
     const double aim = random.get_double(0.5, 2);
     Sides gradient;
     Eigen::Matrix4d matrix;
@@ -213,8 +211,8 @@ void test_rectangle_energy()
       for(int k = 0; k < 3; ++k)
       {
         const Eigen::Vector3d a = long_step * Eigen::Vector3d::Unit(r), b = long_step * Eigen::Vector3d::Unit(k);
-        second(r, k) = (energy(c + a + b) - energy(c + a - b) - energy(c - a + b) + energy(c - a - b))
-                     / (4 * long_step * long_step);
+        second(r, k) =
+          (energy(c + a + b) - energy(c + a - b) - energy(c - a + b) + energy(c - a - b)) / (4 * long_step * long_step);
       }
     const Eigen::Matrix4d expected = slopes.transpose() * second * slopes;
     assert((matrix - expected).lpNorm<Eigen::Infinity>() < 1e-5 * scale);
@@ -238,7 +236,8 @@ SM::Quad_soup shaken(SM::Quad_soup soup, double amount, unsigned int seed)
   return soup;
 }
 
-// A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves on.
+// A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves
+// on.
 void test_stop()
 {
   const SM::Quad_soup soup = SM::sphere(80);
@@ -279,8 +278,8 @@ void test_iterations()
     for(unsigned int steps : { 0u, 1u, 3u, 20u })
     {
       Mesh qm = input;
-      const auto r = QM::smooth_quad_mesh(qm, reference,
-                                          CGAL::parameters::smoothing_iterations(steps).smooth_globally(globally));
+      const auto r =
+        QM::smooth_quad_mesh(qm, reference, CGAL::parameters::smoothing_iterations(steps).smooth_globally(globally));
       assert(r.iterations <= steps && (steps > 1 || r.iterations == steps));
       Mesh by_default = input;
       if(steps == 20)
@@ -303,11 +302,11 @@ void test_status_names()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "corner_energy", test_corner_energy },
-    { "least_energy", test_least_energy },
-    { "rectangle_energy", test_rectangle_energy },
-    { "stop", test_stop },
-    { "iterations", test_iterations },
-    { "status_names", test_status_names } });
+  return run_cases(argc, argv,
+                   { { "corner_energy", test_corner_energy },
+                     { "least_energy", test_least_energy },
+                     { "rectangle_energy", test_rectangle_energy },
+                     { "stop", test_stop },
+                     { "iterations", test_iterations },
+                     { "status_names", test_status_names } });
 }

@@ -43,7 +43,7 @@ bool is_close(double a, double b, double tolerance = 1e-9) { return std::abs(a -
 
 Mesh one_quad(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
 {
-  return SM::make_mesh(SM::Quad_soup{ { a, b, c, d }, { {{ 0, 1, 2, 3 }} } });
+  return SM::make_mesh(SM::Quad_soup{ { a, b, c, d }, { { { 0, 1, 2, 3 } } } });
 }
 
 void test_quality()
@@ -54,17 +54,18 @@ void test_quality()
   assert(is_close(square.mean_edge_length, 1) && is_close(square.edge_length_variation, 0) && is_close(square.area, 6));
 
   const double s = 60 * SM::pi / 180;
-  const QM::Quad_mesh_quality rhombus = QM::quad_mesh_quality(
-    one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1 + std::cos(s), std::sin(s), 0), Point_3(std::cos(s), std::sin(s), 0)));
+  const QM::Quad_mesh_quality rhombus =
+    QM::quad_mesh_quality(one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1 + std::cos(s), std::sin(s), 0),
+                                   Point_3(std::cos(s), std::sin(s), 0)));
   assert(is_close(rhombus.mean_angle_deviation, 30) && is_close(rhombus.minimal_scaled_jacobian, std::sin(s)));
 
-  const QM::Quad_mesh_quality arrow = QM::quad_mesh_quality(
-    one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.2, 0.2, 0), Point_3(0, 1, 0)));
+  const QM::Quad_mesh_quality arrow =
+    QM::quad_mesh_quality(one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.2, 0.2, 0), Point_3(0, 1, 0)));
   assert(arrow.maximal_angle > 180 && arrow.minimal_scaled_jacobian < 0 && arrow.number_of_inverted_quads == 1);
 
   const double h = 0.4;
-  const QM::Quad_mesh_quality bent = QM::quad_mesh_quality(
-    one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, h), Point_3(0, 1, 0)));
+  const QM::Quad_mesh_quality bent =
+    QM::quad_mesh_quality(one_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, h), Point_3(0, 1, 0)));
   const double side = (2 + 2 * std::sqrt(1 + h * h)) / 4;
   assert(is_close(bent.maximal_planarity, h / std::sqrt(2 * h * h + 4) / side));
   assert(is_close(bent.maximal_aspect_ratio, std::sqrt(1 + h * h)));
@@ -76,7 +77,8 @@ void test_quality()
     p = Point_3(-3 * p.y() + 5, 3 * p.x() - 1, 3 * p.z());
   const Mesh moved = SM::make_mesh(soup);
   const QM::Quad_mesh_quality b = QM::quad_mesh_quality(moved);
-  assert(is_close(a.mean_angle_deviation, b.mean_angle_deviation) && is_close(a.minimal_scaled_jacobian, b.minimal_scaled_jacobian));
+  assert(is_close(a.mean_angle_deviation, b.mean_angle_deviation) &&
+         is_close(a.minimal_scaled_jacobian, b.minimal_scaled_jacobian));
   assert(is_close(3 * a.mean_edge_length, b.mean_edge_length) && is_close(9 * a.area, b.area));
   const auto worst = QM::worst_quads(moved, 5);
   assert(worst.size() == 5 && is_close(worst[0].second, b.minimal_scaled_jacobian));
@@ -86,7 +88,7 @@ void test_defects()
 {
   std::cout << "defects" << std::endl;
   const SM::Quad_soup cube = SM::cube(3);
-  std::vector<std::vector<std::size_t> > faces;
+  std::vector<std::vector<std::size_t>> faces;
   for(const auto& q : cube.quads)
     faces.emplace_back(q.begin(), q.end());
   assert(QM::find_quad_mesh_defects(cube.points, faces).is_pure_quad_mesh());
@@ -110,9 +112,9 @@ void test_defects()
   points.back() = Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   assert(QM::find_quad_mesh_defects(points, faces).invalid_coordinates == 1);
   // two squares that touch in a vertex
-  const std::vector<std::vector<std::size_t> > pinched = { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } };
+  const std::vector<std::vector<std::size_t>> pinched = { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } };
   assert(QM::find_quad_mesh_defects(cube.points, pinched).non_manifold_vertices == 1);
-  assert(!QM::find_quad_mesh_defects(points, std::vector<std::vector<std::size_t> >()).is_pure_quad_mesh());
+  assert(!QM::find_quad_mesh_defects(points, std::vector<std::vector<std::size_t>>()).is_pure_quad_mesh());
 }
 
 // The patches by removing regular lines one edge at a time: an edge stays as long as a neighbour on its
@@ -122,7 +124,7 @@ int slow_number_of_patches(const Flat_mesh& m)
   const int nh = m.number_of_halfedges();
   auto regular_inside = [&](int v) { return !m.is_border_vertex(v) && m.valence(v) == 4; };
   std::vector<char> marked(nh, 0);
-  for(bool changed = true; changed; )
+  for(bool changed = true; changed;)
   {
     changed = false;
     for(int h = 0; h < nh; ++h)
@@ -168,9 +170,9 @@ int slow_number_of_patches(const Flat_mesh& m)
 }
 
 // All first returns of a dual edge beside itself, step by step: (sidesteps, shorter offset).
-std::multiset<std::pair<int, int> > slow_relations(const Flat_mesh& m)
+std::multiset<std::pair<int, int>> slow_relations(const Flat_mesh& m)
 {
-  std::multiset<std::pair<int, int> > all;
+  std::multiset<std::pair<int, int>> all;
   const QM::internal::Dual_lines lines(m);
   for(int s = 0; s < m.number_of_halfedges(); ++s)
   {
@@ -199,8 +201,8 @@ std::multiset<std::pair<int, int> > slow_relations(const Flat_mesh& m)
 }
 
 // Triangles after flips of random edges, none of which makes an edge twice: a surface of the same topology.
-std::vector<std::array<std::size_t, 3> > with_random_flips(std::vector<std::array<std::size_t, 3> > triangles, int flips,
-                                                           unsigned int seed)
+std::vector<std::array<std::size_t, 3>> with_random_flips(std::vector<std::array<std::size_t, 3>> triangles, int flips,
+                                                          unsigned int seed)
 {
   CGAL::Random random(seed);
   auto has_edge = [&](std::size_t a, std::size_t b)
@@ -219,8 +221,8 @@ std::vector<std::array<std::size_t, 3> > with_random_flips(std::vector<std::arra
         if(other[k] == t[1] && other[(k + 1) % 3] == t[0] && !has_edge(t[2], other[(k + 2) % 3]))
         {
           const std::size_t a = t[0], b = t[1], c = t[2], d = other[(k + 2) % 3];
-          t = {{ c, a, d }};
-          other = {{ c, d, b }};
+          t = { { c, a, d } };
+          other = { { c, d, b } };
           --flips;
           k = 3;
         }
@@ -234,7 +236,8 @@ void test_structure()
   auto structure = [](const SM::Quad_soup& s) { return QM::quad_mesh_structure(SM::make_mesh(s)); };
   const QM::Quad_mesh_structure cube = structure(SM::cube(4));
   assert(cube.number_of_patches == 6 && cube.number_of_nodes == 8 && cube.number_of_arcs == 12);
-  assert(cube.number_of_dual_curves == 12 && cube.number_of_closed_dual_curves == 12 && cube.number_of_parallel_classes == 3);
+  assert(cube.number_of_dual_curves == 12 && cube.number_of_closed_dual_curves == 12 &&
+         cube.number_of_parallel_classes == 3);
   assert(cube.number_of_irregular_vertices == 8 && cube.inner_valences.at(3) == 8 && cube.sum_of_indices == 8);
   assert(cube.number_of_helices == 0 && cube.classification() == QM::Quad_mesh_class::SEMI_REGULAR);
   assert(structure(SM::cube(1)).classification() == QM::Quad_mesh_class::UNSTRUCTURED);
@@ -266,13 +269,13 @@ void test_structure()
 
   // fast and slow, primal and dual
   std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<std::array<std::size_t, 3>> triangles;
   const SM::Quad_soup base = SM::cube(2);
   points = base.points;
   for(const auto& q : base.quads)
   {
-    triangles.push_back({{ q[0], q[1], q[2] }});
-    triangles.push_back({{ q[0], q[2], q[3] }});
+    triangles.push_back({ { q[0], q[1], q[2] } });
+    triangles.push_back({ { q[0], q[2], q[3] } });
   }
   const SM::Quad_soup irregular = SM::split_triangles(points, triangles);
   const SM::Quad_soup random_base = SM::split_triangles(points, with_random_flips(triangles, 60, 4));
@@ -293,8 +296,14 @@ void test_structure()
     }
     used.quads.push_back(q);
   }
-  std::vector<SM::Quad_soup> soups = { irregular, SM::refined(irregular, 4), random_base, SM::refined(random_base, 3), SM::cube(5), SM::rolled(9, 6, 2, true),
-                                       SM::rolled(9, 6, -1, false), SM::grid(4, 4) };
+  std::vector<SM::Quad_soup> soups = { irregular,
+                                       SM::refined(irregular, 4),
+                                       random_base,
+                                       SM::refined(random_base, 3),
+                                       SM::cube(5),
+                                       SM::rolled(9, 6, 2, true),
+                                       SM::rolled(9, 6, -1, false),
+                                       SM::grid(4, 4) };
   if(QM::find_quad_mesh_defects(used.points, used.quads).is_pure_quad_mesh())
     soups.push_back(used);
   for(const SM::Quad_soup& soup : soups)
@@ -305,7 +314,7 @@ void test_structure()
     if(s.number_of_patches_not_rectangular == 0)
       assert(s.number_of_patches == s.number_of_representative_crossings);
     assert(s.sum_of_indices == 4 * s.euler_characteristic);
-    std::multiset<std::pair<int, int> > fast;
+    std::multiset<std::pair<int, int>> fast;
     const QM::internal::Dual_lines lines(m);
     for(const QM::internal::Side_relation& r : QM::internal::side_relations(m, lines))
       if(r.target != -1)
@@ -330,9 +339,11 @@ void test_structure()
 
   // refinement changes nothing but the sizes: each quad of an irregular base is a patch
   assert(structure(SM::refined(random_base, 3)).number_of_patches == structure(random_base).number_of_patches);
-  assert(structure(SM::refined(random_base, 3)).number_of_parallel_classes == structure(random_base).number_of_parallel_classes);
+  assert(structure(SM::refined(random_base, 3)).number_of_parallel_classes ==
+         structure(random_base).number_of_parallel_classes);
   assert(structure(SM::refined(irregular, 3)).number_of_patches == irregular.quads.size());
-  assert(structure(SM::refined(irregular, 3)).number_of_parallel_classes == structure(irregular).number_of_parallel_classes);
+  assert(structure(SM::refined(irregular, 3)).number_of_parallel_classes ==
+         structure(irregular).number_of_parallel_classes);
 
   // the maps
   Mesh qm = SM::make_mesh(SM::cube(4));
@@ -353,7 +364,8 @@ SM::Quad_soup displaced(SM::Quad_soup soup, double amount, unsigned int seed)
   CGAL::Random random(seed);
   for(auto v : qm.vertices())
   {
-    SM::Vector_3 d(random.get_double(-length, length), random.get_double(-length, length), random.get_double(-length, length));
+    SM::Vector_3 d(random.get_double(-length, length), random.get_double(-length, length),
+                   random.get_double(-length, length));
     if(!qm.is_border(v))
       soup.points[v] = soup.points[v] + d;
   }
@@ -396,10 +408,10 @@ void test_features_under_smoothing(bool globally)
   const Mesh::Vertex_index anchored(3);
   is_fixed[anchored] = true;
   const Point_3 anchor = cube.point(anchored);
-  const QM::Quad_mesh_smoothing_result s =
-    QM::smooth_quad_mesh(cube, reference, CGAL::parameters::smooth_globally(globally).edge_is_constrained_map(feature)
-                                             .vertex_is_constrained_map(is_fixed),
-                         CGAL::parameters::edge_is_constrained_map(reference_feature));
+  const QM::Quad_mesh_smoothing_result s = QM::smooth_quad_mesh(
+    cube, reference,
+    CGAL::parameters::smooth_globally(globally).edge_is_constrained_map(feature).vertex_is_constrained_map(is_fixed),
+    CGAL::parameters::edge_is_constrained_map(reference_feature));
   assert(s.folded_quads_after == 0 && cube.point(anchored) == anchor);
   assert(s.quality_after.mean_angle_deviation < 0.5 * s.quality_before.mean_angle_deviation);
   for(auto v : cube.vertices())
@@ -407,7 +419,9 @@ void test_features_under_smoothing(bool globally)
       if(std::abs(cube_soup.points[v][k]) == 1)
         assert(is_close(cube.point(v)[k], cube_soup.points[v][k], 1e-9));
   assert(is_close(QM::quad_mesh_deviation(cube, reference, CGAL::parameters::default_values(),
-                                      CGAL::parameters::edge_is_constrained_map(reference_feature)).features_kept, 1));
+                                          CGAL::parameters::edge_is_constrained_map(reference_feature))
+                    .features_kept,
+                  1));
 }
 
 void test_smoothing()
@@ -421,7 +435,8 @@ void test_smoothing()
     const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, sphere);
     assert(r.status == QM::Quad_mesh_smoothing_status::SMOOTHED && r.folded_quads_after == 0);
     assert(r.quality_after.minimal_scaled_jacobian > 0.5);
-    assert(r.quality_after.mean_angle_deviation < 8 && r.quality_after.mean_angle_deviation < r.quality_before.mean_angle_deviation);
+    assert(r.quality_after.mean_angle_deviation < 8 &&
+           r.quality_after.mean_angle_deviation < r.quality_before.mean_angle_deviation);
     for(auto v : qm.vertices())
       assert(std::abs(std::sqrt((qm.point(v) - CGAL::ORIGIN).squared_length()) - 1) < 0.01);
     const QM::Quad_mesh_deviation d = QM::quad_mesh_deviation(qm, sphere);
@@ -431,7 +446,8 @@ void test_smoothing()
   // whatever goes in without an inverted quad comes out without one
   for(unsigned int seed = 0; seed < 12; ++seed)
   {
-    Mesh qm = SM::make_mesh(displaced(seed % 2 == 0 ? SM::sphere(8) : SM::rolled(16, 10, 1, true), 0.05 * (1 + seed % 6), seed));
+    Mesh qm = SM::make_mesh(
+      displaced(seed % 2 == 0 ? SM::sphere(8) : SM::rolled(16, 10, 1, true), 0.05 * (1 + seed % 6), seed));
     const bool valid = QM::quad_mesh_quality(qm).number_of_inverted_quads == 0;
     const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, CGAL::parameters::smooth_globally(seed % 4 < 2));
     if(valid)
@@ -443,7 +459,8 @@ void test_smoothing()
   const SM::Quad_soup square = SM::grid(9, 6);
   const Mesh plane = SM::triangulated(square);
   Mesh qm = SM::make_mesh(displaced(square, 0.6, 5));
-  const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, plane, CGAL::parameters::smoothing_iterations(200u));
+  const QM::Quad_mesh_smoothing_result r =
+    QM::smooth_quad_mesh(qm, plane, CGAL::parameters::smoothing_iterations(200u));
   assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5);
   for(auto v : qm.vertices())
   {
@@ -471,10 +488,13 @@ void test_smoothing()
   assert(QM::smooth_quad_mesh(triangles).status == QM::Quad_mesh_smoothing_status::NOT_A_QUAD_MESH);
   assert(QM::smooth_quad_mesh(cube, empty).status == QM::Quad_mesh_smoothing_status::EMPTY_REFERENCE);
   assert(QM::smooth_quad_mesh(empty).status == QM::Quad_mesh_smoothing_status::SMOOTHED);
-  struct Stop : QM::Default_visitor { bool go_further() { return false; } } stop;
+  struct Stop : QM::Default_visitor
+  {
+    bool go_further() { return false; }
+  } stop;
   Mesh shaken = SM::make_mesh(displaced(SM::sphere(6), 0.3, 1)), copy = shaken;
-  assert(QM::smooth_quad_mesh(copy, sphere, CGAL::parameters::visitor(std::ref(stop))).status
-         == QM::Quad_mesh_smoothing_status::STOPPED);
+  assert(QM::smooth_quad_mesh(copy, sphere, CGAL::parameters::visitor(std::ref(stop))).status ==
+         QM::Quad_mesh_smoothing_status::STOPPED);
   for(auto v : copy.vertices())
     assert(copy.point(v) == shaken.point(v));
 }
@@ -509,14 +529,16 @@ void test_global_smoothing()
   for(Point_3& p : cylinder.points)
   {
     const double angle = SM::pi * p.z() / (40 * 2 * SM::pi / 32);
-    p = Point_3(std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y(), p.z());
+    p = Point_3(std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y(),
+                p.z());
   }
   const Mesh round = SM::triangulated(SM::rolled(64, 80, 0, false));
   one_by_one = SM::make_mesh(cylinder);
   all_at_once = one_by_one;
   assert(QM::smooth_quad_mesh(one_by_one, round).quality_after.mean_angle_deviation > 15);
   const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(all_at_once, round, globally);
-  assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5 && r.quality_after.minimal_scaled_jacobian > 0.95);
+  assert(r.folded_quads_after == 0 && r.quality_after.mean_angle_deviation < 0.5 &&
+         r.quality_after.minimal_scaled_jacobian > 0.95);
   for(auto v : all_at_once.vertices())
     if(all_at_once.is_border(v))
       assert(is_close(all_at_once.point(v).z(), cylinder.points[v].z()));
@@ -532,10 +554,10 @@ void test_global_smoothing()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "quality", test_quality },
-    { "defects", test_defects },
-    { "structure", test_structure },
-    { "smoothing", test_smoothing },
-    { "global_smoothing", test_global_smoothing } });
+  return run_cases(argc, argv,
+                   { { "quality", test_quality },
+                     { "defects", test_defects },
+                     { "structure", test_structure },
+                     { "smoothing", test_smoothing },
+                     { "global_smoothing", test_global_smoothing } });
 }

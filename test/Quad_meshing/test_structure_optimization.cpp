@@ -56,7 +56,7 @@ using QM::internal::Motorcycle_complex;
 
 namespace {
 
-QM::internal::Any_visitor nobody;     // lets everything pass
+QM::internal::Any_visitor nobody; // lets everything pass
 
 // Few attempts: these meshes are small.
 auto options(QM::Structure_method method = QM::Structure_method::LAYOUT)
@@ -64,10 +64,7 @@ auto options(QM::Structure_method method = QM::Structure_method::LAYOUT)
   return CGAL::parameters::structure_method(method).number_of_iterations(400u);
 }
 
-Flat_mesh flat(const SM::Quad_soup& soup)
-{
-  return QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh;
-}
+Flat_mesh flat(const SM::Quad_soup& soup) { return QM::internal::make_indexed_quad_mesh(SM::make_mesh(soup)).mesh; }
 
 // A mesh after some random operators.
 Flat_mesh twisted(Flat_mesh m, int operators, unsigned int seed)
@@ -96,15 +93,15 @@ Mesh graph(const Flat_mesh& m)
   SM::Quad_soup soup;
   soup.points = m.points;
   for(const std::array<int, 4>& c : m.corners)
-    soup.quads.push_back({{ std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2]), std::size_t(c[3]) }});
+    soup.quads.push_back({ { std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2]), std::size_t(c[3]) } });
   return SM::make_mesh(soup);
 }
 
 bool same_topology(const QM::Quad_mesh_structure& s, const QM::Quad_mesh_structure& t)
 {
-  return s.inner_valences == t.inner_valences && s.boundary_valences == t.boundary_valences
-      && s.euler_characteristic == t.euler_characteristic && s.number_of_components == t.number_of_components
-      && s.number_of_boundary_loops == t.number_of_boundary_loops;
+  return s.inner_valences == t.inner_valences && s.boundary_valences == t.boundary_valences &&
+         s.euler_characteristic == t.euler_characteristic && s.number_of_components == t.number_of_components &&
+         s.number_of_boundary_loops == t.number_of_boundary_loops;
 }
 
 // What an optimization promises about the shape of the quads.
@@ -118,11 +115,11 @@ void check_shape(const QM::Quad_mesh_quality& before, const QM::Quad_mesh_qualit
 SM::Quad_soup irregular()
 {
   const SM::Quad_soup base = SM::cube(2);
-  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<std::array<std::size_t, 3>> triangles;
   for(const auto& q : base.quads)
   {
-    triangles.push_back({{ q[0], q[1], q[2] }});
-    triangles.push_back({{ q[0], q[2], q[3] }});
+    triangles.push_back({ { q[0], q[1], q[2] } });
+    triangles.push_back({ { q[0], q[2], q[3] } });
   }
   return SM::split_triangles(base.points, triangles);
 }
@@ -147,11 +144,11 @@ SM::Quad_soup opened(SM::Quad_soup s)
   return used;
 }
 
-std::multiset<std::array<long, 3> > rounded_points(const Flat_mesh& m)
+std::multiset<std::array<long, 3>> rounded_points(const Flat_mesh& m)
 {
-  std::multiset<std::array<long, 3> > result;
+  std::multiset<std::array<long, 3>> result;
   for(const auto& p : m.points)
-    result.insert({{ std::lround(1e6 * p.x()), std::lround(1e6 * p.y()), std::lround(1e6 * p.z()) }});
+    result.insert({ { std::lround(1e6 * p.x()), std::lround(1e6 * p.y()), std::lround(1e6 * p.z()) } });
   return result;
 }
 
@@ -196,14 +193,23 @@ void test_layouts()
   // a closed feature without any node, and one that ends inside
   Flat_mesh ringed = flat(SM::rolled(12, 8, 0, false)), cut = flat(SM::grid(8, 8));
   for(int h = 0; h < ringed.number_of_halfedges(); ++h)
-    ringed.is_feature[h] = std::abs(ringed.points[ringed.source(h)].z() - ringed.points[ringed.target(h)].z()) < 1e-9
-                        && std::abs(ringed.points[ringed.source(h)].z() - 4 * 2 * SM::pi / 12) < 1e-9;
+    ringed.is_feature[h] = std::abs(ringed.points[ringed.source(h)].z() - ringed.points[ringed.target(h)].z()) < 1e-9 &&
+                           std::abs(ringed.points[ringed.source(h)].z() - 4 * 2 * SM::pi / 12) < 1e-9;
   for(int h = 0; h < cut.number_of_halfedges(); ++h)
-    cut.is_feature[h] = cut.points[cut.source(h)].y() == 4 && cut.points[cut.target(h)].y() == 4
-                     && cut.points[cut.source(h)].x() <= 5 && cut.points[cut.target(h)].x() <= 5;
-  const std::vector<Flat_mesh> meshes = { round, twisted(round, 6, 1), creased, twisted(creased, 5, 2), ringed, cut,
-    flat(SM::rolled(12, 8, 0, true)), flat(SM::rolled(12, 8, 1, true)), flat(SM::rolled(9, 7, 2, false)),
-    twisted(flat(SM::refined(irregular(), 4)), 20, 3), twisted(flat(opened(SM::refined(irregular(), 3))), 10, 4), flat(SM::grid(7, 5)) };
+    cut.is_feature[h] = cut.points[cut.source(h)].y() == 4 && cut.points[cut.target(h)].y() == 4 &&
+                        cut.points[cut.source(h)].x() <= 5 && cut.points[cut.target(h)].x() <= 5;
+  const std::vector<Flat_mesh> meshes = { round,
+                                          twisted(round, 6, 1),
+                                          creased,
+                                          twisted(creased, 5, 2),
+                                          ringed,
+                                          cut,
+                                          flat(SM::rolled(12, 8, 0, true)),
+                                          flat(SM::rolled(12, 8, 1, true)),
+                                          flat(SM::rolled(9, 7, 2, false)),
+                                          twisted(flat(SM::refined(irregular(), 4)), 20, 3),
+                                          twisted(flat(opened(SM::refined(irregular(), 3))), 10, 4),
+                                          flat(SM::grid(7, 5)) };
   int number = 0, changes = 0, not_representable = 0;
   for(const Flat_mesh& m : meshes)
   {
@@ -265,12 +271,13 @@ void test_layouts()
   assert(changes > 500);
 }
 
-// The distortion of a layout does not depend on its scale, it is what a map costs that is the same everywhere, and its slope
-// foretells how it changes.
+// The distortion of a layout does not depend on its scale, it is what a map costs that is the same everywhere, and its
+// slope foretells how it changes.
 void test_distortion()
 {
   std::cout << "distortion" << std::endl;
-  for(const Flat_mesh& m : { flat(SM::grid(8, 8)), flat(SM::sphere(6)), twisted(flat(SM::refined(irregular(), 3)), 8, 1) })
+  for(const Flat_mesh& m :
+      { flat(SM::grid(8, 8)), flat(SM::sphere(6)), twisted(flat(SM::refined(irregular(), 3)), 8, 1) })
   {
     const std::vector<char> is_fixed(m.number_of_vertices(), 0);
     const Motorcycle_complex complex(m, is_fixed);
@@ -296,7 +303,8 @@ void test_distortion()
   for(int k : { 0, 2 })
     for(const auto& s : complex.patches[0].sides[k])
       wide[s.arc] *= 2;
-  const double st = Layout_distortion::stretch_weight, si = Layout_distortion::size_weight, scale = 6 * si / (st + 9 * si);
+  const double st = Layout_distortion::stretch_weight, si = Layout_distortion::size_weight,
+               scale = 6 * si / (st + 9 * si);
   assert(std::abs(distortion(wide) - (st * scale * scale + si * (3 * scale - 2) * (3 * scale - 2))) < 1e-9);
 
   // random changes: never negative, and the prices are the slope along all changes that keep opposite sides equal
@@ -330,8 +338,8 @@ void test_distortion()
   assert(changes > 50 && agreeing > 0.75 * changes);
 }
 
-// The prices are the gradient of the distortion, but for a factor, along all changes that keep opposite sides equal. The
-// distortion does not depend on the scale, so small steps are taken from large multiples of the lengths.
+// The prices are the gradient of the distortion, but for a factor, along all changes that keep opposite sides equal.
+// The distortion does not depend on the scale, so small steps are taken from large multiples of the lengths.
 void test_distortion_derivatives()
 {
   constexpr int multiple = 1000;
@@ -452,10 +460,11 @@ void test_twisted_meshes()
       assert(r.status == Status::OPTIMIZED && same_topology(after, before));
       assert(after.number_of_patches <= before.number_of_patches && after.number_of_quads <= before.number_of_quads);
       if(method == QM::Structure_method::LAYOUT)
-        assert(after.number_of_patches < 0.8 * before.number_of_patches && after.number_of_quads > 0.7 * before.number_of_quads);
+        assert(after.number_of_patches < 0.8 * before.number_of_patches &&
+               after.number_of_quads > 0.7 * before.number_of_quads);
       else
-        assert(after.number_of_helices <= before.number_of_helices
-               && after.number_of_helices_with_crossings < before.number_of_helices_with_crossings);
+        assert(after.number_of_helices <= before.number_of_helices &&
+               after.number_of_helices_with_crossings < before.number_of_helices_with_crossings);
       check_shape(quality, QM::quad_mesh_quality(qm));
       assert(CGAL::is_valid_polygon_mesh(qm) && quad_mesh_checks::figures(qm).vertex_manifold);
 
@@ -467,7 +476,8 @@ void test_twisted_meshes()
     }
 }
 
-// Few helices are left, in whichever way the search ends; and no curve with helices is multiplied beyond what is tolerated.
+// Few helices are left, in whichever way the search ends; and no curve with helices is multiplied beyond what is
+// tolerated.
 void test_helices_become_few()
 {
   std::cout << "helices become few" << std::endl;
@@ -478,9 +488,10 @@ void test_helices_become_few()
     const Result r = QM::optimize_quad_structure(qm, options().smoothing_iterations(0));
     before += r.structure_before.number_of_helices;
     after += r.structure_after.number_of_helices;
-    std::cout << "  " << r.structure_before.number_of_helices << " -> " << r.structure_after.number_of_helices << ", patches "
-              << r.structure_before.number_of_patches << " -> " << r.structure_after.number_of_patches << ", quads "
-              << r.structure_before.number_of_quads << " -> " << r.structure_after.number_of_quads << std::endl;
+    std::cout << "  " << r.structure_before.number_of_helices << " -> " << r.structure_after.number_of_helices
+              << ", patches " << r.structure_before.number_of_patches << " -> " << r.structure_after.number_of_patches
+              << ", quads " << r.structure_before.number_of_quads << " -> " << r.structure_after.number_of_quads
+              << std::endl;
   }
   assert(before >= 20 && after <= 0.2 * before);
 
@@ -489,11 +500,11 @@ void test_helices_become_few()
   {
     Mesh qm = graph(twisted(flat(SM::refined(irregular(), 4)), 12, seed));
     const Result r = QM::optimize_quad_structure(qm, options(QM::Structure_method::HELICES).smoothing_iterations(0));
-    std::cout << "  " << r.structure_before.number_of_helices << " -> " << r.structure_after.number_of_helices << ", with crossings "
-              << r.structure_before.number_of_helices_with_crossings << " -> " << r.structure_after.number_of_helices_with_crossings
-              << std::endl;
-    assert(r.structure_after.number_of_helices <= r.structure_before.number_of_helices
-           && r.structure_after.number_of_helices_with_crossings < r.structure_before.number_of_helices_with_crossings);
+    std::cout << "  " << r.structure_before.number_of_helices << " -> " << r.structure_after.number_of_helices
+              << ", with crossings " << r.structure_before.number_of_helices_with_crossings << " -> "
+              << r.structure_after.number_of_helices_with_crossings << std::endl;
+    assert(r.structure_after.number_of_helices <= r.structure_before.number_of_helices &&
+           r.structure_after.number_of_helices_with_crossings < r.structure_before.number_of_helices_with_crossings);
   }
 }
 
@@ -517,7 +528,8 @@ void test_features()
   const Mesh::Vertex_index anchor(200);
   is_fixed[anchor] = true;
   const SM::Point_3 place = qm.point(anchor);
-  const Result r = QM::optimize_quad_structure(qm, SM::triangulated(SM::cube(4)),
+  const Result r = QM::optimize_quad_structure(
+    qm, SM::triangulated(SM::cube(4)),
     options().target_number_of_quads(400).edge_is_constrained_map(feature).vertex_is_constrained_map(is_fixed));
   assert(r.status == Status::OPTIMIZED && qm.number_of_faces() <= 400 && qm.number_of_faces() > 200);
   std::size_t corners = 0;
@@ -539,20 +551,21 @@ void test_targets_and_experiments()
   for(QM::Structure_method method : { QM::Structure_method::LAYOUT, QM::Structure_method::HELICES })
   {
     Mesh half = SM::make_mesh(SM::cube(6));
-    QM::optimize_quad_structure(half, options(method).collapse_dual_curves(true)
-                                        .target_number_of_quads(120u));
+    QM::optimize_quad_structure(half, options(method).collapse_dual_curves(true).target_number_of_quads(120u));
     assert(half.number_of_faces() <= 120 && half.number_of_faces() > 60);
   }
 
   const Flat_mesh input = twisted(flat(SM::refined(irregular(), 4)), 12, 5);
   const QM::Quad_mesh_structure before = QM::internal::structure_of_quad_mesh(input);
   Mesh few = graph(input);
-  const Result target = QM::optimize_quad_structure(few, options().target_number_of_patches(500).smoothing_iterations(0));
+  const Result target =
+    QM::optimize_quad_structure(few, options().target_number_of_patches(500).smoothing_iterations(0));
   assert(target.structure_after.number_of_patches <= 500 && target.structure_after.number_of_patches > 100);
 
   // merged irregular vertices: another set of valences, the same topology, the same sum of indices
   Mesh merged = graph(input), kept = graph(input);
-  const Result m = QM::optimize_quad_structure(merged, options().merge_singularities(true).target_number_of_patches(20).target_number_of_quads(1));
+  const Result m = QM::optimize_quad_structure(
+    merged, options().merge_singularities(true).target_number_of_patches(20).target_number_of_quads(1));
   const Result k = QM::optimize_quad_structure(kept, options().target_number_of_patches(20).target_number_of_quads(1));
   assert(same_topology(k.structure_after, before));
   assert(m.structure_after.number_of_irregular_vertices < before.number_of_irregular_vertices);
@@ -590,8 +603,8 @@ void test_other_graph_and_bad_input()
       Mesh qm = input;
       const Result r = QM::optimize_quad_structure(qm, options(method).visitor(std::ref(stop)));
       if(r.status == Status::STOPPED)
-        assert(qm.number_of_faces() == input.number_of_faces()
-               && std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
+        assert(qm.number_of_faces() == input.number_of_faces() &&
+               std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
       else
         assert(stop.left >= 0);
     }
@@ -611,7 +624,8 @@ void test_other_graph_and_bad_input()
   assert(QM::optimize_quad_structure(cube, empty).status == Status::EMPTY_REFERENCE);
 }
 
-// A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves on.
+// A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves
+// on.
 void test_stop()
 {
   const Mesh input = graph(twisted(flat(SM::refined(irregular(), 8)), 16, 3));
@@ -623,20 +637,21 @@ void test_stop()
     {
       visitor_checks::Stopwatch_visitor visitor(seconds);
       Mesh qm = input;
-      const Result r = QM::optimize_quad_structure(qm, reference, CGAL::parameters::structure_method(method)
-                                                                    .visitor(std::ref(visitor)));
+      const Result r = QM::optimize_quad_structure(
+        qm, reference, CGAL::parameters::structure_method(method).visitor(std::ref(visitor)));
       visitor.report();
       assert(visitor.longest_gap() < visitor_checks::longest_gap);
       assert(visitor.longest_rest_of_progress() < visitor_checks::longest_gap);
       assert(visitor.has_stopped() == (r.status == Status::STOPPED));
       if(r.status == Status::STOPPED)
-        assert(qm.number_of_faces() == input.number_of_faces()
-               && std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
+        assert(qm.number_of_faces() == input.number_of_faces() &&
+               std::equal(qm.points().begin(), qm.points().end(), input.points().begin()));
     }
   }
 }
 
-// The search ends when its time is up, with a mesh of the same topology that is as good as the input at least, and says so.
+// The search ends when its time is up, with a mesh of the same topology that is as good as the input at least, and says
+// so.
 void test_time_limit()
 {
   const Mesh input = graph(twisted(flat(SM::refined(irregular(), 8)), 16, 3));
@@ -663,19 +678,20 @@ void test_time_limit()
 
 int main(int argc, char** argv)
 {
-  return run_cases(argc, argv, {
-    { "layouts", test_layouts },
-    { "distortion", test_distortion },
-    { "distortion_derivatives", test_distortion_derivatives },
-    { "twisted_cubes_by_layout", [] { test_twisted_cubes(QM::Structure_method::LAYOUT); } },
-    { "twisted_cubes_by_helices", [] { test_twisted_cubes(QM::Structure_method::HELICES); } },
-    { "cubes_with_helices_by_layout", [] { test_cubes_with_helices(QM::Structure_method::LAYOUT); } },
-    { "cubes_with_helices_by_helices", [] { test_cubes_with_helices(QM::Structure_method::HELICES); } },
-    { "twisted_meshes", test_twisted_meshes },
-    { "helices_become_few", test_helices_become_few },
-    { "features", test_features },
-    { "targets", test_targets_and_experiments },
-    { "bad_input", test_other_graph_and_bad_input },
-    { "stop", test_stop },
-    { "time_limit", test_time_limit } });
+  return run_cases(
+    argc, argv,
+    { { "layouts", test_layouts },
+      { "distortion", test_distortion },
+      { "distortion_derivatives", test_distortion_derivatives },
+      { "twisted_cubes_by_layout", [] { test_twisted_cubes(QM::Structure_method::LAYOUT); } },
+      { "twisted_cubes_by_helices", [] { test_twisted_cubes(QM::Structure_method::HELICES); } },
+      { "cubes_with_helices_by_layout", [] { test_cubes_with_helices(QM::Structure_method::LAYOUT); } },
+      { "cubes_with_helices_by_helices", [] { test_cubes_with_helices(QM::Structure_method::HELICES); } },
+      { "twisted_meshes", test_twisted_meshes },
+      { "helices_become_few", test_helices_become_few },
+      { "features", test_features },
+      { "targets", test_targets_and_experiments },
+      { "bad_input", test_other_graph_and_bad_input },
+      { "stop", test_stop },
+      { "time_limit", test_time_limit } });
 }

@@ -15,15 +15,15 @@ namespace visitor_checks {
 // Seconds of processor time after which a call must have asked the visitor again, and the progress must have moved.
 constexpr double longest_gap = 0.5;
 
-// Says stop after some seconds of processor time, and measures the longest time between two calls of go_further(), and between
-// two moves of the progress within a stage.
-class Stopwatch_visitor
-  : public CGAL::Quad_meshing::Default_visitor
+// Says stop after some seconds of processor time, and measures the longest time between two calls of go_further(), and
+// between two moves of the progress within a stage.
+class Stopwatch_visitor : public CGAL::Quad_meshing::Default_visitor
 {
 public:
   explicit Stopwatch_visitor(double seconds_until_stop)
     : m_seconds_until_stop(seconds_until_stop), m_start(now()), m_last_question(m_start), m_last_progress(m_start)
-  {}
+  {
+  }
 
   void on_stage_begin(const std::string&)
   {
@@ -31,10 +31,7 @@ public:
     m_completed = -1;
   }
 
-  void on_stage_end(const std::string&)
-  {
-    rest();
-  }
+  void on_stage_end(const std::string&) { rest(); }
 
   void progress(double completed)
   {

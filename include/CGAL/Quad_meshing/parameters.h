@@ -20,7 +20,8 @@
 //
 // Size and alignment of the quads
 //   target_edge_length              double        length of a quad edge, in the unit of the points; default: from the
-//                                                 number of quads in quadrangulate(), mean edge length in integer_grid_map()
+//                                                 number of quads in quadrangulate(), mean edge length in
+//                                                 integer_grid_map()
 //   target_number_of_quads          number        about how many quads there should be; 4000
 //   align_boundary                  bool          whether the border becomes chains of quad edges; true
 //   face_direction_map              property map  face -> optional vector that the cross field follows; none
@@ -28,7 +29,8 @@
 //   curvature_alignment             double        how much quads follow the directions of least curvature, 0 to 1; 1
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
 //   sizing_gradation                double        largest slope of the target edge length; 0.3
-//   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1, from
+//   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1,
+//   from
 //                                                 which on a disk counts as parabolic; 0.8
 //
 // Cross fields and integer-grid maps
@@ -43,15 +45,17 @@
 // Mixed-integer problems
 //   rounding_method                 Rounding_method  how integer conditions are met; GREEDY, BRANCH_AND_BOUND
 //                                                 where there are inequalities
-//   elimination_order               Elimination_order  which equality constraint is eliminated next; FEWEST_COEFFICIENTS
-//   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
+//   elimination_order               Elimination_order  which equality constraint is eliminated next;
+//   FEWEST_COEFFICIENTS constraint_tolerance            double        relative size of what counts as zero when
+//   constraints depend on each
 //                                                 other; 1e-6
 //   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
 //                                                 variables; 3e-4
 //   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 20000
 //   conjugate_gradient_iterations   int           steps per rounding, 0 switches the level off; 10
-//   allow_refactorization           bool          whether greedy rounding may factorize anew between its roundings; true
-//   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
+//   allow_refactorization           bool          whether greedy rounding may factorize anew between its roundings;
+//   true simultaneous_rounding           bool          whether greedy rounding takes several integers at once while
+//   their
 //                                                 deviations sum up to less than one half; true
 //   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
 //   number_of_bound_rounds          int           rounds of the relaxation that raises a lower bound; 0
@@ -77,73 +81,99 @@
 //   collapse_dual_curves            bool          whether dual curves are collapsed in the end where they can be; false
 //   target_number_of_patches        std::size_t   the optimization ends when there are no more patches; 0: no target
 //   smoothing_iterations            unsigned int  steps or sweeps of the smoothing in the end, 0 smooths nothing; 20
-//   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they have
+//   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they
+//   have
 //                                                 to go far; false
 //   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step
 
 #include <CGAL/Named_function_parameters.h>
 
-#define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                          \
-  CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
-  CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
-  CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)            \
-  CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
-  CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
-  CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
-  CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order)               \
-  CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \
-  CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)            \
-  CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)\
-  CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations, conjugate_gradient_iterations)\
-  CGAL_add_named_parameter(allow_refactorization_t, allow_refactorization, allow_refactorization)   \
-  CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding, simultaneous_rounding)   \
-  CGAL_add_named_parameter(maximum_dense_integers_t, maximum_dense_integers, maximum_dense_integers)\
-  CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds, number_of_bound_rounds)\
-  CGAL_add_named_parameter(maximum_number_of_nodes_t, maximum_number_of_nodes, maximum_number_of_nodes)\
-  CGAL_add_named_parameter(relative_gap_tolerance_t, relative_gap_tolerance, relative_gap_tolerance)\
-  CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \
-  CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule)                        \
-  CGAL_add_named_parameter(cross_field_method_t, cross_field_method, cross_field_method)            \
-  CGAL_add_named_parameter(repair_t, repair, repair)                                                \
-  CGAL_add_named_parameter(distance_limit_t, distance_limit, distance_limit)                        \
-  CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)                     \
-  CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
-  CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
-  CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
-  CGAL_add_named_parameter(face_direction_weight_map_t, face_direction_weight_map, face_direction_weight_map)\
-  CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)         \
-  CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
-  CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
-  CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
-  CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
-  CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \
-  CGAL_add_named_parameter(structure_method_t, structure_method, structure_method)                  \
-  CGAL_add_named_parameter(merge_singularities_t, merge_singularities, merge_singularities)         \
-  CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves, collapse_dual_curves)      \
-  CGAL_add_named_parameter(target_number_of_patches_t, target_number_of_patches, target_number_of_patches) \
-  CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations, smoothing_iterations)      \
-  CGAL_add_named_parameter(smooth_globally_t, smooth_globally, smooth_globally)                     \
-  CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost, operator_step_cost)            \
-  CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
+#define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                                             \
+  CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length) CGAL_add_named_parameter(     \
+    target_number_of_quads_t, target_number_of_quads,                                                                  \
+    target_number_of_quads) CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)     \
+    CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads) CGAL_add_named_parameter(      \
+      align_boundary_t, align_boundary, align_boundary) CGAL_add_named_parameter(rounding_method_t, rounding_method,   \
+                                                                                 rounding_method)                      \
+      CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order) CGAL_add_named_parameter(    \
+        constraint_tolerance_t, constraint_tolerance,                                                                  \
+        constraint_tolerance) CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)   \
+        CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)          \
+          CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations,                     \
+                                   conjugate_gradient_iterations) CGAL_add_named_parameter(allow_refactorization_t,    \
+                                                                                           allow_refactorization,      \
+                                                                                           allow_refactorization)      \
+            CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding,                                   \
+                                     simultaneous_rounding) CGAL_add_named_parameter(maximum_dense_integers_t,         \
+                                                                                     maximum_dense_integers,           \
+                                                                                     maximum_dense_integers)           \
+              CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds,                               \
+                                       number_of_bound_rounds) CGAL_add_named_parameter(maximum_number_of_nodes_t,     \
+                                                                                        maximum_number_of_nodes,       \
+                                                                                        maximum_number_of_nodes)       \
+                CGAL_add_named_parameter(relative_gap_tolerance_t, relative_gap_tolerance,                             \
+                                         relative_gap_tolerance) CGAL_add_named_parameter(subproblem_selection_t,      \
+                                                                                          subproblem_selection,        \
+                                                                                          subproblem_selection)        \
+                  CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule) CGAL_add_named_parameter( \
+                    cross_field_method_t, cross_field_method, cross_field_method)                                      \
+                    CGAL_add_named_parameter(repair_t, repair, repair) CGAL_add_named_parameter(                       \
+                      distance_limit_t, distance_limit,                                                                \
+                      distance_limit) CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)    \
+                      CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error,                     \
+                                               relative_distance_error)                                                \
+                        CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows) CGAL_add_named_parameter( \
+                          face_direction_map_t, face_direction_map,                                                    \
+                          face_direction_map) CGAL_add_named_parameter(face_direction_weight_map_t,                    \
+                                                                       face_direction_weight_map,                      \
+                                                                       face_direction_weight_map)                      \
+                          CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)    \
+                            CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)     \
+                              CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)         \
+                                CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)          \
+                                  CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)  \
+                                    CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations,           \
+                                                             stiffening_iterations)                                    \
+                                      CGAL_add_named_parameter(structure_method_t, structure_method, structure_method) \
+                                        CGAL_add_named_parameter(merge_singularities_t, merge_singularities,           \
+                                                                 merge_singularities)                                  \
+                                          CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves,       \
+                                                                   collapse_dual_curves)                               \
+                                            CGAL_add_named_parameter(target_number_of_patches_t,                       \
+                                                                     target_number_of_patches,                         \
+                                                                     target_number_of_patches)                         \
+                                              CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations,   \
+                                                                       smoothing_iterations)                           \
+                                                CGAL_add_named_parameter(smooth_globally_t, smooth_globally,           \
+                                                                         smooth_globally)                              \
+                                                  CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost,   \
+                                                                           operator_step_cost)                         \
+                                                    CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight,   \
+                                                                             anisotropy_weight)
 
 namespace CGAL {
 namespace internal_np {
 
-#define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  enum X                                                                                                               \
+  {                                                                                                                    \
+    Y                                                                                                                  \
+  };
 CGAL_QUAD_MESHING_NAMED_PARAMETERS
 #undef CGAL_add_named_parameter
 
 // One link of a chain that started with a parameter of this package.
 template <typename T, typename Tag, typename Base>
-struct Quad_meshing_np_link
-  : Named_params_impl<T, Tag, Base>
+struct Quad_meshing_np_link : Named_params_impl<T, Tag, Base>
 {
   typedef Named_params_impl<T, Tag, Base> base;
 
   Quad_meshing_np_link(const T& v) : base(v) {}
 
   template <typename B>
-  Quad_meshing_np_link(const T& v, const B& b) : base(v, b) {}
+  Quad_meshing_np_link(const T& v, const B& b) : base(v, b)
+  {
+  }
 };
 
 typedef Quad_meshing_np_link<bool, all_default_t, No_property> Quad_meshing_np_root;
@@ -151,8 +181,8 @@ typedef Quad_meshing_np_link<bool, all_default_t, No_property> Quad_meshing_np_r
 } // namespace internal_np
 
 template <typename T, typename Tag, typename T2, typename Tag2, typename B2>
-struct Named_function_parameters<T, Tag, internal_np::Quad_meshing_np_link<T2, Tag2, B2> >
-  : internal_np::Named_params_impl<T, Tag, internal_np::Quad_meshing_np_link<T2, Tag2, B2> >
+struct Named_function_parameters<T, Tag, internal_np::Quad_meshing_np_link<T2, Tag2, B2>>
+  : internal_np::Named_params_impl<T, Tag, internal_np::Quad_meshing_np_link<T2, Tag2, B2>>
 {
   typedef internal_np::Quad_meshing_np_link<T2, Tag2, B2> Base;
   typedef internal_np::Named_params_impl<T, Tag, Base> base;
@@ -163,19 +193,18 @@ struct Named_function_parameters<T, Tag, internal_np::Quad_meshing_np_link<T2, T
 
   Named_function_parameters(const T& v, const Base& b) : base(v, b) {}
 
-#define CGAL_add_named_parameter(X, Y, Z)                                                           \
-  template <typename K>                                                                             \
-  Named_function_parameters<K, internal_np::X, link> Z(const K& k) const                            \
-  {                                                                                                 \
-    return Named_function_parameters<K, internal_np::X, link>(                                      \
-      k, link(this->v, static_cast<const Base&>(*this)));                                           \
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <typename K>                                                                                                \
+  Named_function_parameters<K, internal_np::X, link> Z(const K& k) const                                               \
+  {                                                                                                                    \
+    return Named_function_parameters<K, internal_np::X, link>(k, link(this->v, static_cast<const Base&>(*this)));      \
   }
 #define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)
 #define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
-CGAL_QUAD_MESHING_NAMED_PARAMETERS
+  CGAL_QUAD_MESHING_NAMED_PARAMETERS
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
 #undef CGAL_add_extra_named_parameter_with_compatibility
@@ -185,12 +214,12 @@ CGAL_QUAD_MESHING_NAMED_PARAMETERS
 
 namespace parameters {
 
-#define CGAL_add_named_parameter(X, Y, Z)                                                           \
-  template <typename K>                                                                             \
-  Named_function_parameters<K, internal_np::X, internal_np::Quad_meshing_np_root> Z(const K& k)     \
-  {                                                                                                 \
-    return Named_function_parameters<K, internal_np::X, internal_np::Quad_meshing_np_root>(         \
-      k, internal_np::Quad_meshing_np_root(true));                                                  \
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <typename K>                                                                                                \
+  Named_function_parameters<K, internal_np::X, internal_np::Quad_meshing_np_root> Z(const K& k)                        \
+  {                                                                                                                    \
+    return Named_function_parameters<K, internal_np::X, internal_np::Quad_meshing_np_root>(                            \
+      k, internal_np::Quad_meshing_np_root(true));                                                                     \
   }
 CGAL_QUAD_MESHING_NAMED_PARAMETERS
 #undef CGAL_add_named_parameter

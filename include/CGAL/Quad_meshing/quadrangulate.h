@@ -37,16 +37,17 @@ Sharp edges are detected, a smooth cross field is computed that follows them and
 follows the field, and the quad mesh that is the image of the integer grid; then its vertices are smoothed on
 the surface. Sharp edges and the border become chains of quad edges.
 
-The result is `VALID` only if the mesh consists of quads, is a manifold by construction of the halfedge data structure, and
-has the components, Euler numbers and border loops of the input. If not, the result says why, and the best mesh that could be made, if there
-is one, is delivered all the same.
+The result is `VALID` only if the mesh consists of quads, is a manifold by construction of the halfedge data structure,
+and has the components, Euler numbers and border loops of the input. If not, the result says why, and the best mesh that
+could be made, if there is one, is delivered all the same.
 
-If the first map is folded over, others are tried: for a slightly different length, for another field. If the grid is too coarse for the
-surface, finer ones are. Where sharp edges leave no room for a map without fold-overs, those nearby are released: the quads need not follow them there. The
-message says what part of their length that is. Edges that `edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is tried.
+If the first map is folded over, others are tried: for a slightly different length, for another field. If the grid is
+too coarse for the surface, finer ones are. Where sharp edges leave no room for a map without fold-overs, those nearby
+are released: the quads need not follow them there. The message says what part of their length that is. Edges that
+`edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is tried.
 
-Each component is quadrangulated by itself. If some have no valid mesh, `qm` holds all others, and the message names those by
-their faces. A vertex in which borders touch is divided: each fan of triangles gets one of its own.
+Each component is quadrangulated by itself. If some have no valid mesh, `qm` holds all others, and the message names
+those by their faces. A vertex in which borders touch is divided: each fan of triangles gets one of its own.
 
 The result depends on nothing but the surface and the parameters: not on the numbers of vertices and faces.
 
@@ -65,15 +66,11 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamDefault{4000}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
-    \cgalParamDescription{the length of a quad edge in the unit of the points; takes precedence over the number of quads}
-    \cgalParamType{`double`}
-    \cgalParamDefault{the square root of the area over the number of quads}
-  \cgalParamNEnd
+    \cgalParamDescription{the length of a quad edge in the unit of the points; takes precedence over the number of
+quads} \cgalParamType{`double`} \cgalParamDefault{the square root of the area over the number of quads} \cgalParamNEnd
   \cgalParamNBegin{sharpness_angle}
-    \cgalParamDescription{the angle between normals, in degrees, from which on an edge is sharp; see `detect_feature_edges()` for the sharp
-                          edges that are taken for noise}
-    \cgalParamType{`double`}
-    \cgalParamDefault{40}
+    \cgalParamDescription{the angle between normals, in degrees, from which on an edge is sharp; see
+`detect_feature_edges()` for the sharp edges that are taken for noise} \cgalParamType{`double`} \cgalParamDefault{40}
     \cgalParamExtra{180 and more: there are no features}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
@@ -88,11 +85,11 @@ The result depends on nothing but the surface and the parameters: not on the num
   \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{directions that the quad edges should have}
-    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `std::optional<Vector_3>`, or an optional vector of another library, as value type}
-    \cgalParamDefault{no direction is given}
-  \cgalParamNEnd
+    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `std::optional<Vector_3>`, or an
+optional vector of another library, as value type} \cgalParamDefault{no direction is given} \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
-    \cgalParamDescription{how much the quads follow the directions in which the surface bends least, where these are reliable
+    \cgalParamDescription{how much the quads follow the directions in which the surface bends least, where these are
+reliable
                           (`curvature_directions()`)}
     \cgalParamType{`double`, from 0, not at all, to 1}
     \cgalParamDefault{1}
@@ -101,13 +98,9 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamDescription{how the singularities of the cross field are found}
     \cgalParamType{`Cross_field_method`}
     \cgalParamDefault{`Cross_field_method::POLISHED`}
-    \cgalParamExtra{if the map for `POLISHED` is folded over, the one for `REPRESENTATION` is tried as well, and the other way round}
-  \cgalParamNEnd
-  \cgalParamNBegin{rounding_method}
-    \cgalParamDescription{how the integers of the map are chosen}
-    \cgalParamType{`Rounding_method`}
-    \cgalParamDefault{`Rounding_method::GREEDY`}
-  \cgalParamNEnd
+    \cgalParamExtra{if the map for `POLISHED` is folded over, the one for `REPRESENTATION` is tried as well, and the
+other way round} \cgalParamNEnd \cgalParamNBegin{rounding_method} \cgalParamDescription{how the integers of the map are
+chosen} \cgalParamType{`Rounding_method`} \cgalParamDefault{`Rounding_method::GREEDY`} \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
     \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1]}
     \cgalParamType{`double`}
@@ -115,16 +108,10 @@ The result depends on nothing but the surface and the parameters: not on the num
   \cgalParamNEnd
   \cgalParamNBegin{smoothing_iterations}
     \cgalParamDescription{the largest number of steps of the final smoothing, in which all vertices move at once
-                          (`smooth_globally` of `smooth_quad_mesh()`), or of that of `optimize_structure`; 0 smooths nothing}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{20}
-  \cgalParamNEnd
-  \cgalParamNBegin{optimize_structure}
-    \cgalParamDescription{whether `optimize_quad_structure()` makes the base complex coarser: fewer patches with the same irregular
-                          vertices}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
+                          (`smooth_globally` of `smooth_quad_mesh()`), or of that of `optimize_structure`; 0 smooths
+nothing} \cgalParamType{`unsigned int`} \cgalParamDefault{20} \cgalParamNEnd \cgalParamNBegin{optimize_structure}
+    \cgalParamDescription{whether `optimize_quad_structure()` makes the base complex coarser: fewer patches with the
+same irregular vertices} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
     \cgalParamDescription{how many threads may work at the same time; the result does not depend on it}
     \cgalParamType{`unsigned int`}
@@ -136,16 +123,11 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{the time in seconds after which the best mesh so far is the result, if there is one; the message says so}
-    \cgalParamType{`double`}
-    \cgalParamDefault{no limit}
-    \cgalParamExtra{with a limit, the result may depend on the speed of the machine}
-  \cgalParamNEnd
-  \cgalParamNBegin{face_location_map}
-    \cgalParamDescription{receives for every vertex of `qm` where it lies on `tm`}
-    \cgalParamType{a model of `WritablePropertyMap` with the vertices of `qm` as keys and
-                   `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type}
-    \cgalParamDefault{none}
+    \cgalParamDescription{the time in seconds after which the best mesh so far is the result, if there is one; the
+message says so} \cgalParamType{`double`} \cgalParamDefault{no limit} \cgalParamExtra{with a limit, the result may
+depend on the speed of the machine} \cgalParamNEnd \cgalParamNBegin{face_location_map} \cgalParamDescription{receives
+for every vertex of `qm` where it lies on `tm`} \cgalParamType{a model of `WritablePropertyMap` with the vertices of
+`qm` as keys and `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type} \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told about the stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
@@ -176,19 +158,21 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
-    internal_np::target_number_of_quads_t, internal_np::target_edge_length_t, internal_np::sharpness_angle_t,
-    internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
-    internal_np::curvature_alignment_t, internal_np::cross_field_method_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
-    internal_np::smoothing_iterations_t, internal_np::optimize_structure_t, internal_np::number_of_threads_t,
-    internal_np::random_seed_t, internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
+  constexpr bool takes_parameters = internal::Takes_parameters<
+    NamedParameters, internal_np::target_number_of_quads_t, internal_np::target_edge_length_t,
+    internal_np::sharpness_angle_t, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
+    internal_np::face_direction_map_t, internal_np::curvature_alignment_t, internal_np::cross_field_method_t,
+    internal_np::rounding_method_t, internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t,
+    internal_np::optimize_structure_t, internal_np::number_of_threads_t, internal_np::random_seed_t,
+    internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
     internal_np::vertex_point_t>::value;
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   constexpr bool has_direction_map =
     internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
   static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
-  static_assert(has_direction_map, "face_direction_map must give an optional vector for every face of the triangle mesh.");
+  static_assert(has_direction_map,
+                "face_direction_map must give an optional vector for every face of the triangle mesh.");
 
   Quadrangulation_result result;
   if constexpr(takes_parameters && has_edge_map && has_direction_map)
@@ -214,21 +198,25 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
       q.set_directions(tm, get_parameter(np, internal_np::face_direction_map));
     Quadrangulation_options& o = q.options;
     o.target_edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length), o.target_edge_length);
-    o.target_number_of_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), o.target_number_of_quads);
+    o.target_number_of_quads =
+      choose_parameter(get_parameter(np, internal_np::target_number_of_quads), o.target_number_of_quads);
     o.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), o.sharpness_angle);
     o.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), o.align_boundary);
     o.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), o.cross_field_method);
-    o.curvature_alignment = choose_parameter(get_parameter(np, internal_np::curvature_alignment), o.curvature_alignment);
+    o.curvature_alignment =
+      choose_parameter(get_parameter(np, internal_np::curvature_alignment), o.curvature_alignment);
     o.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), o.rounding_method);
     o.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), o.anisotropy_weight);
     o.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), o.optimize_structure);
     o.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), o.number_of_threads);
     o.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), o.random_seed);
-    o.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations), o.smoothing_iterations);
-    o.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time), o.maximum_running_time);
+    o.smoothing_iterations =
+      choose_parameter(get_parameter(np, internal_np::smoothing_iterations), o.smoothing_iterations);
+    o.maximum_running_time =
+      choose_parameter(get_parameter(np, internal_np::maximum_running_time), o.maximum_running_time);
     result = q.run(visitor);
 
-    std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor> > copies;
+    std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor>> copies;
     copy_face_graph(q.quads().mesh, qm, parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
     {

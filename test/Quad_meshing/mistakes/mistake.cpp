@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// Plain mistakes of a caller, one for each value of MISTAKE. None compiles, and each ends in one sentence that says why; without a
-// mistake, the file compiles.
+// Plain mistakes of a caller, one for each value of MISTAKE. None compiles, and each ends in one sentence that says
+// why; without a mistake, the file compiles.
 
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
@@ -20,9 +20,10 @@ struct Incomplete_visitor
   void progress(double) {}
 };
 
-void quadrangulate(const Mesh& tm, Mesh& qm, Mesh::Property_map<Mesh::Vertex_index, bool> vertex_map,
-                   Mesh::Property_map<Mesh::Face_index, CGAL::Quad_meshing::Quadrangulation_kernel::Vector_3> vector_map,
-                   Incomplete_visitor& visitor)
+void quadrangulate(
+  const Mesh& tm, Mesh& qm, Mesh::Property_map<Mesh::Vertex_index, bool> vertex_map,
+  Mesh::Property_map<Mesh::Face_index, CGAL::Quad_meshing::Quadrangulation_kernel::Vector_3> vector_map,
+  Incomplete_visitor& visitor)
 {
 #if MISTAKE == 1 // a parameter that the function does not take
   CGAL::Quad_meshing::quadrangulate(tm, qm, CGAL::parameters::target_edge_length(1.).minimum_anisotropy(0.5));
@@ -36,6 +37,7 @@ void quadrangulate(const Mesh& tm, Mesh& qm, Mesh::Property_map<Mesh::Vertex_ind
   CGAL::Quad_meshing::quadrangulate(tm, qm, CGAL::parameters::visitor(std::ref(visitor)));
 #else
   static_cast<void>(vertex_map), static_cast<void>(vector_map), static_cast<void>(visitor);
-  CGAL::Quad_meshing::quadrangulate(tm, qm, CGAL::parameters::target_edge_length(1.).sharpness_angle(30.).align_boundary(false));
+  CGAL::Quad_meshing::quadrangulate(
+    tm, qm, CGAL::parameters::target_edge_length(1.).sharpness_angle(30.).align_boundary(false));
 #endif
 }

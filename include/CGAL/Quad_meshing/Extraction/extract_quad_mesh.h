@@ -107,11 +107,8 @@ namespace Quad_meshing {
  */
 template <typename TriangleMesh, typename HalfedgeUVMap, typename QuadMesh,
           typename NamedParameters = parameters::Default_named_parameters>
-Quad_extraction_result
-extract_quad_mesh(const TriangleMesh& tm,
-                  HalfedgeUVMap uv,
-                  QuadMesh& qm,
-                  const NamedParameters& np = parameters::default_values())
+Quad_extraction_result extract_quad_mesh(const TriangleMesh& tm, HalfedgeUVMap uv, QuadMesh& qm,
+                                         const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -123,12 +120,15 @@ extract_quad_mesh(const TriangleMesh& tm,
   typedef typename boost::property_map<QuadMesh, vertex_point_t>::type Quad_vpm;
   typedef typename boost::property_traits<Quad_vpm>::value_type Quad_point;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::vertex_point_t,
-    internal_np::vertex_index_t, internal_np::face_index_t, internal_np::face_location_map_t, internal_np::visitor_t>::value;
+  constexpr bool takes_parameters =
+    internal::Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t,
+                               internal_np::face_index_t, internal_np::face_location_map_t,
+                               internal_np::visitor_t>::value;
   static_assert(takes_parameters, "extract_quad_mesh() does not take one of the named parameters.");
 
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-    Visitor_reference;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
   Default_visitor default_visitor;
   Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
@@ -152,8 +152,9 @@ extract_quad_mesh(const TriangleMesh& tm,
 
   Quad_vpm quad_vpm = get(vertex_point, qm);
   auto face_location_map = get_parameter(np, internal_np::face_location_map);
-  internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm, [&](std::size_t i)
-  {
+  internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm,
+                             [&](std::size_t i)
+                             {
     const internal::Grid_location& l = quads.vertices[i];
     const quad_vertex_descriptor v = add_vertex(qm);
     const auto p = internal::position(mesh, l);

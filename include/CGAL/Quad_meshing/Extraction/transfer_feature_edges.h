@@ -57,9 +57,9 @@ namespace Quad_meshing {
  */
 template <typename TriangleMesh, typename EdgeIsFeatureMap, typename QuadMesh, typename FaceLocationMap,
           typename QuadEdgeIsFeatureMap, typename NamedParameters = parameters::Default_named_parameters>
-std::size_t
-transfer_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, const QuadMesh& qm, FaceLocationMap location,
-                       QuadEdgeIsFeatureMap quad_edge_is_feature, const NamedParameters& np = parameters::default_values())
+std::size_t transfer_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, const QuadMesh& qm,
+                                   FaceLocationMap location, QuadEdgeIsFeatureMap quad_edge_is_feature,
+                                   const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
@@ -79,7 +79,7 @@ transfer_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, cons
   int number_of_edges = 0;
   for(auto e : edges(tm))
     put(eim, e, number_of_edges++);
-  std::vector<std::vector<std::pair<double, int> > > stops_of_edge(number_of_edges); // from the source of halfedge(e)
+  std::vector<std::vector<std::pair<double, int>>> stops_of_edge(number_of_edges); // from the source of halfedge(e)
 
   for(int q = 0; q < first_vertex; ++q)
   {
@@ -111,7 +111,7 @@ transfer_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, cons
     }
   }
 
-  std::vector<std::vector<int> > neighbours(first_vertex + stop_of_vertex.size());
+  std::vector<std::vector<int>> neighbours(first_vertex + stop_of_vertex.size());
   for(auto e : edges(tm))
   {
     if(!get(is_feature, e))

@@ -42,15 +42,15 @@ inline const char* status_name(Cross_field_report_status status)
 {
   switch(status)
   {
-    case Cross_field_report_status::CONSISTENT:          return "consistent";
+    case Cross_field_report_status::CONSISTENT: return "consistent";
     case Cross_field_report_status::NOT_A_TRIANGLE_MESH: return "not_a_triangle_mesh";
-    case Cross_field_report_status::POINT_NOT_FINITE:    return "point_not_finite";
+    case Cross_field_report_status::POINT_NOT_FINITE: return "point_not_finite";
     case Cross_field_report_status::NON_MANIFOLD_VERTEX: return "non_manifold_vertex";
-    case Cross_field_report_status::ANGLE_NOT_FINITE:    return "angle_not_finite";
-    case Cross_field_report_status::MISALIGNED_EDGE:     return "misaligned_edge";
-    case Cross_field_report_status::WRONG_JUMP:          return "wrong_jump";
-    case Cross_field_report_status::WRONG_INDEX:         return "wrong_index";
-    case Cross_field_report_status::EMPTY_SECTOR:        return "empty_sector";
+    case Cross_field_report_status::ANGLE_NOT_FINITE: return "angle_not_finite";
+    case Cross_field_report_status::MISALIGNED_EDGE: return "misaligned_edge";
+    case Cross_field_report_status::WRONG_JUMP: return "wrong_jump";
+    case Cross_field_report_status::WRONG_INDEX: return "wrong_index";
+    case Cross_field_report_status::EMPTY_SECTOR: return "empty_sector";
   }
   return "";
 }

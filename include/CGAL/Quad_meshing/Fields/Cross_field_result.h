@@ -57,13 +57,13 @@ inline const char* status_name(Cross_field_status status)
 {
   switch(status)
   {
-    case Cross_field_status::SUCCESS:             return "success";
-    case Cross_field_status::EMPTY_SECTORS:       return "empty_sectors";
-    case Cross_field_status::STOPPED:             return "stopped";
+    case Cross_field_status::SUCCESS: return "success";
+    case Cross_field_status::EMPTY_SECTORS: return "empty_sectors";
+    case Cross_field_status::STOPPED: return "stopped";
     case Cross_field_status::NOT_A_TRIANGLE_MESH: return "not_a_triangle_mesh";
-    case Cross_field_status::POINT_NOT_FINITE:    return "point_not_finite";
+    case Cross_field_status::POINT_NOT_FINITE: return "point_not_finite";
     case Cross_field_status::NON_MANIFOLD_VERTEX: return "non_manifold_vertex";
-    case Cross_field_status::NUMERICAL_FAILURE:   return "numerical_failure";
+    case Cross_field_status::NUMERICAL_FAILURE: return "numerical_failure";
   }
   return "";
 }

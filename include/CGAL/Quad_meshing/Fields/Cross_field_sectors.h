@@ -10,8 +10,8 @@
 
 #include <CGAL/Quad_meshing/Fields/Face_frames.h>
 #include <CGAL/Quad_meshing/Fields/Field_sectors.h>
-#include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/element_numbers.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -61,13 +61,14 @@ public:
     std::vector<double> angles;
     for(auto f : faces(tm))
       angles.push_back(get(angle, f));
-    internal::for_each_edge_of_faces(tm, [&](auto ed, int e)
-    {
+    internal::for_each_edge_of_faces(tm,
+                                     [&](auto ed, int e)
+                                     {
       if(m_mesh.is_border_edge(e))
         return;
       const int h = m_mesh.halfedge_of_edge[e];
-      m_residual[e] = angles[h / 3] + m_frames.kappa(e) + internal::quarter_turn * get(period_jump, ed)
-                    - angles[m_mesh.opposite[h] / 3];
+      m_residual[e] = angles[h / 3] + m_frames.kappa(e) + internal::quarter_turn * get(period_jump, ed) -
+                      angles[m_mesh.opposite[h] / 3];
     });
   }
 
@@ -83,8 +84,8 @@ public:
   int number_of_quads(halfedge_descriptor first, halfedge_descriptor last) const
   {
     CGAL_precondition(source(first, m_graph) == source(last, m_graph) && !is_border(first, m_graph));
-    return static_cast<int>(std::lround(internal::quads_between(m_mesh, m_frames, [&](int e) { return m_residual[e]; },
-                                                                index(first), index(last))));
+    return static_cast<int>(std::lround(internal::quads_between(
+      m_mesh, m_frames, [&](int e) { return m_residual[e]; }, index(first), index(last))));
   }
 
 private:
@@ -98,7 +99,8 @@ private:
     for(auto f : faces(m_graph))
       put(m_face_index, f, n++);
     return internal::make_indexed_triangle_mesh(
-      m_graph, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, m_graph)),
+      m_graph,
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, m_graph)),
       internal::vertex_numbers(m_graph, np), m_face_index);
   }
 
@@ -111,7 +113,7 @@ private:
   }
 
   const TriangleMesh& m_graph;
-  typename boost::property_map<TriangleMesh, dynamic_face_property_t<int> >::const_type m_face_index;
+  typename boost::property_map<TriangleMesh, dynamic_face_property_t<int>>::const_type m_face_index;
   internal::Indexed_triangle_mesh m_mesh;
   internal::Face_frames m_frames;
   std::vector<double> m_residual; // per edge

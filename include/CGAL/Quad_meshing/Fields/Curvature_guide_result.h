@@ -20,10 +20,10 @@ namespace Quad_meshing {
  */
 enum class Curvature_guide_status
 {
-  SUCCESS,             ///< the map was written
-  STOPPED,             ///< the visitor asked for an early end; nothing was written
-  INVALID_LENGTH,      ///< a length is not positive, or the smallest is larger than the largest; nothing was written
-  NOT_A_TRIANGLE_MESH  ///< a face has not three vertices; nothing was written
+  SUCCESS,            ///< the map was written
+  STOPPED,            ///< the visitor asked for an early end; nothing was written
+  INVALID_LENGTH,     ///< a length is not positive, or the smallest is larger than the largest; nothing was written
+  NOT_A_TRIANGLE_MESH ///< a face has not three vertices; nothing was written
 };
 
 /*!
@@ -34,9 +34,9 @@ inline const char* status_name(Curvature_guide_status status)
 {
   switch(status)
   {
-    case Curvature_guide_status::SUCCESS:             return "success";
-    case Curvature_guide_status::STOPPED:             return "stopped";
-    case Curvature_guide_status::INVALID_LENGTH:      return "invalid_length";
+    case Curvature_guide_status::SUCCESS: return "success";
+    case Curvature_guide_status::STOPPED: return "stopped";
+    case Curvature_guide_status::INVALID_LENGTH: return "invalid_length";
     case Curvature_guide_status::NOT_A_TRIANGLE_MESH: return "not_a_triangle_mesh";
   }
   return "";

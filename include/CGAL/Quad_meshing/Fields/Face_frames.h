@@ -28,8 +28,8 @@ constexpr double quarter_turn = CGAL_PI / 2;
 // The angles of one triangle in its frame, whose x-axis is the vector from corner 0 to corner 1.
 struct Triangle_angles
 {
-  std::array<double, 3> corner;     // the interior angle at corner k
-  std::array<double, 3> direction;  // the angle of the vector from corner k to corner k+1
+  std::array<double, 3> corner;    // the interior angle at corner k
+  std::array<double, 3> direction; // the angle of the vector from corner k to corner k+1
 };
 
 // Computes the angles of a triangle such that they sum up to exactly those of a plane triangle, also
@@ -37,7 +37,7 @@ struct Triangle_angles
 template <typename Point_3>
 Triangle_angles make_triangle_angles(const Point_3& p0, const Point_3& p1, const Point_3& p2)
 {
-  const std::array<Point_3, 3> p = {{ p0, p1, p2 }};
+  const std::array<Point_3, 3> p = { { p0, p1, p2 } };
   Triangle_angles t;
   int longest = 0;
   double longest_length = -1;
@@ -66,13 +66,14 @@ Triangle_angles make_triangle_angles(const Point_3& p0, const Point_3& p1, const
         const auto a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
         // A triangle with an edge of zero length has two right angles at that edge.
         t.corner[k] = (zero[k] || zero[(k + 2) % 3])
-                    ? quarter_turn : std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+                        ? quarter_turn
+                        : std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
         sum += t.corner[k];
       }
     t.corner[opposite_corner] = (std::max)(0., 2 * quarter_turn - sum);
   }
 
-  t.direction = {{ 0., 2 * quarter_turn - t.corner[1], t.corner[0] - 2 * quarter_turn }};
+  t.direction = { { 0., 2 * quarter_turn - t.corner[1], t.corner[0] - 2 * quarter_turn } };
   return t;
 }
 
@@ -81,8 +82,10 @@ Triangle_angles make_triangle_angles(const Point_3& p0, const Point_3& p1, const
 inline double wrap_frame_angle(double a)
 {
   const double rounding = 1e-9;
-  while(a > 2 * quarter_turn + rounding) a -= 4 * quarter_turn;
-  while(a < -2 * quarter_turn + rounding) a += 4 * quarter_turn;
+  while(a > 2 * quarter_turn + rounding)
+    a -= 4 * quarter_turn;
+  while(a < -2 * quarter_turn + rounding)
+    a += 4 * quarter_turn;
   return a;
 }
 
@@ -114,9 +117,7 @@ class Face_frames
 {
 public:
   explicit Face_frames(const Indexed_triangle_mesh& m)
-    : m_corner_angle(m.number_of_halfedges())
-    , m_direction(m.number_of_halfedges())
-    , m_kappa(m.number_of_edges(), 0.)
+    : m_corner_angle(m.number_of_halfedges()), m_direction(m.number_of_halfedges()), m_kappa(m.number_of_edges(), 0.)
   {
     for(int f = 0; f < m.number_of_faces(); ++f)
     {

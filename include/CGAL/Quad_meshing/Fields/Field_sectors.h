@@ -32,11 +32,11 @@ namespace internal {
 // the source of `halfedge_of_edge` and gives them to the sector at its target.
 struct Field_sectors
 {
-  std::vector<int> of_corner;     // per halfedge: the sector of the corner at its source
-  std::vector<int> vertex;        // per sector
-  std::vector<int> first_corner;  // per sector: its clockwise-most corner, any one if closed
-  std::vector<char> closed;       // per sector
-  std::vector<char> bounded;      // per sector: runs from one aligned edge to another (or the same)
+  std::vector<int> of_corner;    // per halfedge: the sector of the corner at its source
+  std::vector<int> vertex;       // per sector
+  std::vector<int> first_corner; // per sector: its clockwise-most corner, any one if closed
+  std::vector<char> closed;      // per sector
+  std::vector<char> bounded;     // per sector: runs from one aligned edge to another (or the same)
 
   int number_of_sectors() const { return static_cast<int>(vertex.size()); }
 };
@@ -87,7 +87,8 @@ inline Field_sectors make_field_sectors(const Indexed_triangle_mesh& m, const st
 // rounding if the field is aligned with both. The full turn is taken if both are the same halfedge.
 // `last` may be -1, which stands for the border halfedge that ends the fan of a border vertex.
 template <typename Residual>
-double quads_between(const Indexed_triangle_mesh& m, const Face_frames& frames, const Residual& residual, int first, int last)
+double quads_between(const Indexed_triangle_mesh& m, const Face_frames& frames, const Residual& residual, int first,
+                     int last)
 {
   double turn = 0;
   int h = first;
@@ -107,9 +108,8 @@ double quads_between(const Indexed_triangle_mesh& m, const Face_frames& frames, 
 
 // The number of quads of every sector, rounded where the field is not aligned with its sides.
 template <typename Residual>
-std::vector<int>
-quads_of_sectors(const Indexed_triangle_mesh& m, const Face_frames& frames, const std::vector<char>& aligned,
-                 const Field_sectors& s, const Residual& residual)
+std::vector<int> quads_of_sectors(const Indexed_triangle_mesh& m, const Face_frames& frames,
+                                  const std::vector<char>& aligned, const Field_sectors& s, const Residual& residual)
 {
   std::vector<double> turn(s.number_of_sectors(), 0.);
   for(int h = 0; h < m.number_of_halfedges(); ++h)

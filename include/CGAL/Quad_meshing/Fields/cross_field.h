@@ -15,9 +15,9 @@
 #include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
 #include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
-#include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -149,9 +149,9 @@ namespace Quad_meshing {
  */
 template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Cross_field_result
-smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, VertexSingularityMap index,
-                   const NamedParameters& np = parameters::default_values())
+Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump,
+                                      VertexSingularityMap index,
+                                      const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -160,28 +160,34 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   typedef Static_boolean_property_map<edge_descriptor, false> No_edge;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_edge>::type
-    Edge_is_constrained_map;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::face_direction_map_t, NamedParameters,
-                                                       internal::No_face_direction<face_descriptor> >::type Face_direction_map;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-    Visitor_reference;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_edge>::type
+      Edge_is_constrained_map;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::face_direction_map_t, NamedParameters,
+                                                 internal::No_face_direction<face_descriptor>>::type Face_direction_map;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
-    internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::face_direction_map_t,
-    internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t, internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t,
-    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  constexpr bool takes_parameters = internal::Takes_parameters<
+    NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
+    internal_np::face_direction_map_t, internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t,
+    internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t, internal_np::visitor_t,
+    internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
   constexpr bool has_direction_map =
     internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
-  static_assert(has_direction_map, "face_direction_map must give an optional vector for every face of the triangle mesh.");
+  static_assert(has_direction_map,
+                "face_direction_map must give an optional vector for every face of the triangle mesh.");
 
-  const Edge_is_constrained_map constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
-  const Face_direction_map direction =
-    choose_parameter(get_parameter(np, internal_np::face_direction_map), internal::No_face_direction<face_descriptor>());
+  const Edge_is_constrained_map constrained =
+    choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
+  const Face_direction_map direction = choose_parameter(get_parameter(np, internal_np::face_direction_map),
+                                                        internal::No_face_direction<face_descriptor>());
   Default_visitor default_visitor;
   Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
@@ -216,10 +222,9 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
     return finish(Cross_field_status::NON_MANIFOLD_VERTEX, internal::non_manifold_message(mesh));
 
   internal::Field_problem problem(mesh);
-  internal::for_each_edge_of_faces(tm, [&](edge_descriptor ed, int e)
-  {
-    problem.aligned[e] = get(constrained, ed) || (align_boundary && problem.mesh.is_border_edge(e));
-  });
+  internal::for_each_edge_of_faces(
+    tm, [&](edge_descriptor ed, int e)
+    { problem.aligned[e] = get(constrained, ed) || (align_boundary && problem.mesh.is_border_edge(e)); });
   problem.constrain_faces_to_aligned_edges();
   for(auto f : faces(tm))
   {
@@ -244,8 +249,9 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   for(edge_descriptor ed : edges(tm))
     if(is_border(ed, tm))
       put(period_jump, ed, 0);
-  internal::for_each_edge_of_faces(tm, [&](edge_descriptor ed, int e)
-  {
+  internal::for_each_edge_of_faces(tm,
+                                   [&](edge_descriptor ed, int e)
+                                   {
     if(!mesh.is_border_edge(e))
       put(period_jump, ed, field.period_jump[e]);
   });
@@ -259,7 +265,7 @@ smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap
   }
   if(status == Cross_field_status::EMPTY_SECTORS)
     return finish(status, "The cross field was computed, but " + std::to_string(result.empty_sectors) +
-                          " sectors between two constrained edges have no room for a quad.");
+                            " sectors between two constrained edges have no room for a quad.");
   return finish(status, "The cross field was computed.");
 }
 

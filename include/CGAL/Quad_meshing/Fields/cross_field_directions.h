@@ -25,7 +25,8 @@ namespace internal {
 
 template <typename TriangleMesh, typename VertexPointMap>
 std::array<Simple_cartesian<double>::Point_3, 3>
-points_of_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm, VertexPointMap vpm)
+points_of_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
+               VertexPointMap vpm)
 {
   std::array<Simple_cartesian<double>::Point_3, 3> p;
   auto h = halfedge(f, tm);
@@ -58,15 +59,16 @@ Vector_3
 #else
 typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3
 #endif
-cross_field_direction(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm, FaceAngleMap angle,
-                      int i = 0, const NamedParameters& np = parameters::default_values())
+cross_field_direction(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
+                      FaceAngleMap angle, int i = 0, const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
 
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+  const auto vpm =
+    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
   Simple_cartesian<double>::Vector_3 x, y;
   if(!internal::triangle_axes(internal::points_of_face(f, tm, vpm), x, y))
     return Vector_3(0, 0, 0);

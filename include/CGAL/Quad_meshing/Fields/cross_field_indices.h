@@ -32,9 +32,9 @@ namespace internal {
 // Inspects a field. `visit_index(v, i)` is told the index of every vertex, and returns the one that the map holds.
 template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VisitIndex,
           typename NamedParameters>
-Cross_field_report<TriangleMesh>
-report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, const VisitIndex& visit_index,
-                      const NamedParameters& np)
+Cross_field_report<TriangleMesh> report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle,
+                                                       EdgePeriodJumpMap period_jump, const VisitIndex& visit_index,
+                                                       const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -43,8 +43,9 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef Cross_field_report_status Status;
 
-  constexpr bool takes_parameters = Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t,
-    internal_np::align_boundary_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  constexpr bool takes_parameters =
+    Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
+                     internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "This function does not take one of the named parameters.");
   constexpr bool has_edge_map =
     map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -94,8 +95,9 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
   for(auto f : faces(tm))
     field.angle[get(fim, f)] = get(angle, f);
   std::vector<edge_descriptor> edge_of_number;
-  for_each_edge_of_faces(tm, [&](edge_descriptor ed, int e)
-  {
+  for_each_edge_of_faces(tm,
+                         [&](edge_descriptor ed, int e)
+                         {
     edge_of_number.push_back(ed);
     problem.aligned[e] = get(constrained, ed) || (align_boundary && mesh.is_border_edge(e));
     if(!mesh.is_border_edge(e))
@@ -134,16 +136,17 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
   }
   report.expected_index_sum = defects.expected_index_sum;
 
-  count(report.misaligned_edges.size(), Status::MISALIGNED_EDGE, "constrained edge is not followed by the cross of a face at it.",
+  count(report.misaligned_edges.size(), Status::MISALIGNED_EDGE,
+        "constrained edge is not followed by the cross of a face at it.",
         "constrained edges are not followed by the cross of a face at them.");
   count(report.edges_with_wrong_jump.size(), Status::WRONG_JUMP,
         "constrained edge has a period jump that turns the direction along it.",
         "constrained edges have a period jump that turns the direction along them.");
-  count(report.vertices_with_wrong_index.size(), Status::WRONG_INDEX, "vertex has an index that is not that of the field.",
-        "vertices have an index that is not that of the field.");
+  count(report.vertices_with_wrong_index.size(), Status::WRONG_INDEX,
+        "vertex has an index that is not that of the field.", "vertices have an index that is not that of the field.");
   if(!report.vertices_with_wrong_index.empty() && align_boundary && report.index_sum != report.expected_index_sum)
     add(Status::WRONG_INDEX, "The indices sum up to " + std::to_string(report.index_sum) + " and not to " +
-                             std::to_string(report.expected_index_sum) + ", four times the Euler number.");
+                               std::to_string(report.expected_index_sum) + ", four times the Euler number.");
   count(report.vertices_without_quads.size(), Status::EMPTY_SECTOR, "vertex has a sector without a quad.",
         "vertices have a sector without a quad.");
   if(report.is_valid())
@@ -209,16 +212,19 @@ report_on_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJump
  */
 template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Cross_field_report<TriangleMesh>
-cross_field_indices(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, VertexSingularityMap index,
-                    const NamedParameters& np = parameters::default_values())
+Cross_field_report<TriangleMesh> cross_field_indices(const TriangleMesh& tm, FaceAngleMap angle,
+                                                     EdgePeriodJumpMap period_jump, VertexSingularityMap index,
+                                                     const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  return internal::report_on_cross_field(tm, angle, period_jump, [&](vertex_descriptor v, int i)
-  {
+  return internal::report_on_cross_field(
+    tm, angle, period_jump,
+    [&](vertex_descriptor v, int i)
+    {
     put(index, v, i);
     return i;
-  }, np);
+    },
+    np);
 }
 
 /*!
@@ -236,12 +242,13 @@ cross_field_indices(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMa
  */
 template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Cross_field_report<TriangleMesh>
-check_cross_field(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, VertexSingularityMap index,
-                  const NamedParameters& np = parameters::default_values())
+Cross_field_report<TriangleMesh> check_cross_field(const TriangleMesh& tm, FaceAngleMap angle,
+                                                   EdgePeriodJumpMap period_jump, VertexSingularityMap index,
+                                                   const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  return internal::report_on_cross_field(tm, angle, period_jump, [&](vertex_descriptor v, int) { return get(index, v); }, np);
+  return internal::report_on_cross_field(
+    tm, angle, period_jump, [&](vertex_descriptor v, int) { return get(index, v); }, np);
 }
 
 } // namespace Quad_meshing

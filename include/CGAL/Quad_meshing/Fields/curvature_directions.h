@@ -81,9 +81,9 @@ namespace Quad_meshing {
  */
 template <typename TriangleMesh, typename FaceDirectionMap, typename FaceWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Curvature_guide_result
-curvature_directions(const TriangleMesh& tm, double target_edge_length, FaceDirectionMap direction, FaceWeightMap weight,
-                     const NamedParameters& np = parameters::default_values())
+Curvature_guide_result curvature_directions(const TriangleMesh& tm, double target_edge_length,
+                                            FaceDirectionMap direction, FaceWeightMap weight,
+                                            const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -92,12 +92,14 @@ curvature_directions(const TriangleMesh& tm, double target_edge_length, FaceDire
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
   typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-    Visitor_reference;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
-    internal_np::edge_is_constrained_t, internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-    internal_np::face_index_t>::value;
+  constexpr bool takes_parameters =
+    internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::visitor_t,
+                               internal_np::vertex_point_t, internal_np::vertex_index_t,
+                               internal_np::face_index_t>::value;
   static_assert(takes_parameters, "curvature_directions() does not take one of the named parameters.");
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The value type of the map of directions must be an optional vector, such as std::optional<Vector_3>.");

@@ -59,8 +59,8 @@ Border edges are not marked; a crease that ends on the border does not end freel
 */
 template <typename TriangleMesh, typename EdgeIsFeatureMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_in_degrees,
-                                          double target_edge_length, EdgeIsFeatureMap is_feature,
+Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_in_degrees, double target_edge_length,
+                                          EdgeIsFeatureMap is_feature,
                                           const NamedParameters& np = parameters::default_values())
 {
   CGAL_precondition(is_triangle_mesh(tm));
@@ -71,8 +71,9 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
     internal::find_feature_edges(mesh, angle_in_degrees, target_edge_length, is_feature_edge);
   for(auto e : edges(tm))
     put(is_feature, e, false);
-  internal::for_each_edge_of_faces(tm, [&](auto e, int i)
-  {
+  internal::for_each_edge_of_faces(tm,
+                                   [&](auto e, int i)
+                                   {
     if(is_feature_edge[i])
       put(is_feature, e, true);
   });

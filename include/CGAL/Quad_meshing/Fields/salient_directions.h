@@ -72,10 +72,10 @@ namespace Quad_meshing {
  *
  * \sa `smooth_cross_field()`
  */
-template <typename TriangleMesh, typename FaceDirectionMap, typename NamedParameters = parameters::Default_named_parameters>
-Curvature_guide_result
-salient_directions(const TriangleMesh& tm, double target_edge_length, FaceDirectionMap direction,
-                   const NamedParameters& np = parameters::default_values())
+template <typename TriangleMesh, typename FaceDirectionMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Curvature_guide_result salient_directions(const TriangleMesh& tm, double target_edge_length, FaceDirectionMap direction,
+                                          const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -83,12 +83,14 @@ salient_directions(const TriangleMesh& tm, double target_edge_length, FaceDirect
 
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
   typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-    Visitor_reference;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::minimum_anisotropy_t,
-    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
-    internal_np::geom_traits_t>::value;
+  constexpr bool takes_parameters =
+    internal::Takes_parameters<NamedParameters, internal_np::minimum_anisotropy_t, internal_np::visitor_t,
+                               internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+                               internal_np::geom_traits_t>::value;
   static_assert(takes_parameters, "salient_directions() does not take one of the named parameters.");
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The map of directions must take an optional vector for every face, such as std::optional<Vector_3>.");

@@ -89,20 +89,23 @@ double edge_length_for_number_of_quads(const TriangleMesh& tm, double number_of_
  *
  * \return how it ended: `INVALID_LENGTH` unless `tolerance > 0` and `0 < minimum <= maximum`
  */
-template <typename TriangleMesh, typename FaceSizingMap, typename NamedParameters = parameters::Default_named_parameters>
-Curvature_guide_result
-curvature_sizing(const TriangleMesh& tm, double tolerance, double minimum, double maximum, FaceSizingMap sizing,
-                 const NamedParameters& np = parameters::default_values())
+template <typename TriangleMesh, typename FaceSizingMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Curvature_guide_result curvature_sizing(const TriangleMesh& tm, double tolerance, double minimum, double maximum,
+                                        FaceSizingMap sizing, const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
 
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-    Visitor_reference;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::sizing_gradation_t,
-    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  constexpr bool takes_parameters =
+    internal::Takes_parameters<NamedParameters, internal_np::sizing_gradation_t, internal_np::visitor_t,
+                               internal_np::vertex_point_t, internal_np::vertex_index_t,
+                               internal_np::face_index_t>::value;
   static_assert(takes_parameters, "curvature_sizing() does not take one of the named parameters.");
 
   Default_visitor default_visitor;

@@ -46,19 +46,21 @@ namespace Quad_meshing {
  * smallest one over all sources. Then `propagate()` computes the field, and the queries evaluate it. Sources may
  * be added again afterwards; that drops the field, and `propagate()` starts from scratch.
  *
- * The mesh may have a border, several components and vertices without faces. What no source can reach has the distance infinity.
- * Degenerate faces are allowed. Vertices must be manifold, as they are in every valid halfedge data structure
- * made from a soup by `Polygon_mesh_processing::polygon_soup_to_polygon_mesh()`. The mesh must not change while the object is used.
+ * The mesh may have a border, several components and vertices without faces. What no source can reach has the distance
+ * infinity. Degenerate faces are allowed. Vertices must be manifold, as they are in every valid halfedge data structure
+ * made from a soup by `Polygon_mesh_processing::polygon_soup_to_polygon_mesh()`. The mesh must not change while the
+ * object is used.
  *
  * The algorithm is that of Mitchell, Mount and Papadimitriou (1987) with the linear windows of Bommes and
- * Kobbelt (2007): windows are parts of edges in which the distance is one square root or one linear function. They are kept on some edges, between
- * groups of up to 60 faces. Queries make those of a group that they need from the ones around it, once, and keep them: the first query in a group
- * takes some 0.2 milliseconds. All queries are `const`, and any number of threads may ask at a time.
+ * Kobbelt (2007): windows are parts of edges in which the distance is one square root or one linear function. They are
+ * kept on some edges, between groups of up to 60 faces. Queries make those of a group that they need from the ones
+ * around it, once, and keep them: the first query in a group takes some 0.2 milliseconds. All queries are `const`, and
+ * any number of threads may ask at a time.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam FT the number type of the windows: `double`, or a binary floating point type of more digits such as
- *         `boost::multiprecision::cpp_bin_float_50`, with as much smaller rounding errors, or an exact type with square roots
- *         such as `CORE::Expr`, for meshes of a few triangles
+ *         `boost::multiprecision::cpp_bin_float_50`, with as much smaller rounding errors, or an exact type with square
+ * roots such as `CORE::Expr`, for meshes of a few triangles
  *
  * \sa `refine_distance_field()`
  */
@@ -83,9 +85,9 @@ public:
   /// the face descriptor of the mesh
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  /// a point on the mesh: the same type as `Polygon_mesh_processing::Face_location<TriangleMesh, double>`. The weights belong to the source
-  /// and the target of `halfedge(f, tm)` and to the target of the next halfedge.
-  typedef std::pair<face_descriptor, std::array<double, 3> > Face_location;
+  /// a point on the mesh: the same type as `Polygon_mesh_processing::Face_location<TriangleMesh, double>`. The weights
+  /// belong to the source and the target of `halfedge(f, tm)` and to the target of the next halfedge.
+  typedef std::pair<face_descriptor, std::array<double, 3>> Face_location;
 
   /// a vector in space
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
@@ -130,20 +132,16 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
-   *                    as key type and `%Point_3` as value type}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{vertex_index_map}
-   *     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0` and `num_vertices(tm) - 1`}
-   *     \cgalParamType{a class model of `ReadablePropertyMap`}
-   *     \cgalParamDefault{an automatically indexed internal map}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{face_index_map}
-   *     \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0` and `num_faces(tm) - 1`}
-   *     \cgalParamType{a class model of `ReadablePropertyMap`}
-   *     \cgalParamDefault{an automatically indexed internal map}
-   *   \cgalParamNEnd
+   *     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0` and
+   * `num_vertices(tm) - 1`} \cgalParamType{a class model of `ReadablePropertyMap`} \cgalParamDefault{an automatically
+   * indexed internal map} \cgalParamNEnd \cgalParamNBegin{face_index_map} \cgalParamDescription{a property map
+   * associating to each face of `tm` a unique index between `0` and `num_faces(tm) - 1`} \cgalParamType{a class model
+   * of `ReadablePropertyMap`} \cgalParamDefault{an automatically indexed internal map} \cgalParamNEnd
    * \cgalNamedParamsEnd
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
@@ -179,9 +177,9 @@ public:
     return added();
   }
 
-  /// adds a polyline on the surface, given by a range of `Face_location`. Any two consecutive points must lie in a common
-  /// face (on its edges and corners included), which need not be the one of their locations; a closed curve repeats its first
-  /// point at the end. Nothing is added if two consecutive points have no face in common.
+  /// adds a polyline on the surface, given by a range of `Face_location`. Any two consecutive points must lie in a
+  /// common face (on its edges and corners included), which need not be the one of their locations; a closed curve
+  /// repeats its first point at the end. Nothing is added if two consecutive points have no face in common.
   template <typename FaceLocationRange>
   std::size_t add_polyline_source(const FaceLocationRange& locations, double offset = 0)
   {
@@ -191,7 +189,7 @@ public:
     for(const auto& location : locations)
       points.push_back(point(location));
     Sources sources = m_sources;
-    if(! sources.add_polyline(m_mesh, points, FT(offset), m_number_of_sources))
+    if(!sources.add_polyline(m_mesh, points, FT(offset), m_number_of_sources))
       return no_source();
     std::swap(m_sources, sources);
     return added();
@@ -209,7 +207,7 @@ public:
       halfedge_descriptor h = halfedge(e, m_tm);
       if(is_border(h, m_tm))
         h = opposite(h, m_tm);
-      if(! is_border(h, m_tm))
+      if(!is_border(h, m_tm))
         halfedges.push_back(m_field_mesh.halfedge_index(h));
     }
     m_sources.add_edges(m_mesh, halfedges, FT(offset), m_number_of_sources);
@@ -259,14 +257,13 @@ public:
    *     \cgalParamDefault{`0`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{keep_windows}
-   *     \cgalParamDescription{if `false`, windows are dropped when the front has passed them. Then only distances at vertices can be asked for,
-   *                           and the memory needed is that of the front.}
-   *     \cgalParamType{`bool`}
+   *     \cgalParamDescription{if `false`, windows are dropped when the front has passed them. Then only distances at
+   * vertices can be asked for, and the memory needed is that of the front.} \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{learns of the progress, by the part of vertices that are reached, and may stop the computation}
-   *     \cgalParamType{a type with the members of `Default_visitor`, by `std::ref`}
+   *     \cgalParamDescription{learns of the progress, by the part of vertices that are reached, and may stop the
+   * computation} \cgalParamType{a type with the members of `Default_visitor`, by `std::ref`}
    *     \cgalParamDefault{`Default_visitor`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
@@ -291,7 +288,8 @@ public:
     timer.start();
     Geodesic_distance_result result;
     result.status = m_status != Geodesic_distance_status::SUCCESS ? m_status
-                  : m_sources.elements().empty() ? Geodesic_distance_status::NO_SOURCE : m_status;
+                    : m_sources.elements().empty()                ? Geodesic_distance_status::NO_SOURCE
+                                                                  : m_status;
     m_propagation.reset();
     if(result)
     {
@@ -302,13 +300,15 @@ public:
       visitor.on_stage_begin("geodesic distances");
       m_sources.sort();
       m_propagation.reset(new Propagation(m_mesh, m_sources, error, m_has_windows));
-      m_propagation->run([&](double front)
-      {
-        visitor.progress(m_mesh.number_of_vertices() == 0 ? 1.
-                         : double(m_propagation->number_of_passed_vertices()) / m_mesh.number_of_vertices());
-        if(! visitor.go_further())
+      m_propagation->run(
+        [&](double front)
+        {
+        visitor.progress(m_mesh.number_of_vertices() == 0
+                           ? 1.
+                           : double(m_propagation->number_of_passed_vertices()) / m_mesh.number_of_vertices());
+        if(!visitor.go_further())
           result.status = Geodesic_distance_status::STOPPED;
-        else if(front > limit || (! target_indices.empty() && all_nearer(target_indices, front)))
+        else if(front > limit || (!target_indices.empty() && all_nearer(target_indices, front)))
           result.status = Geodesic_distance_status::LIMIT_REACHED;
         return result.status == Geodesic_distance_status::SUCCESS;
       });
@@ -323,7 +323,8 @@ public:
   }
 
   /// \name Queries
-  /// All of them may be called after `propagate()`. Those for other places than vertices, and all paths, need the windows to be kept.
+  /// All of them may be called after `propagate()`. Those for other places than vertices, and all paths, need the
+  /// windows to be kept.
   ///@{
 
   /// returns the distance of a vertex, infinity if no source reaches it.
@@ -362,22 +363,24 @@ public:
     return a.kind == Arrival::NOWHERE ? no_source() : source_of_origin(a.origin);
   }
 
-  /// returns the direction in which the distance grows, a unit vector in the plane of the face of the location; the zero vector if
-  /// there is none, on a source and where no source reaches.
+  /// returns the direction in which the distance grows, a unit vector in the plane of the face of the location; the
+  /// zero vector if there is none, on a source and where no source reaches.
   Vector_3 gradient(const Face_location& location) const
   {
     const Arrival a = arrival(location);
     const int f = m_field_mesh.face_index(location.first);
     const auto p = place(f, point(location));
-    return a.kind == Arrival::NOWHERE ? Vector_3(0, 0, 0) : queries().direction(f, FT(p.first - a.x), FT(p.second - a.y));
+    return a.kind == Arrival::NOWHERE ? Vector_3(0, 0, 0)
+                                      : queries().direction(f, FT(p.first - a.x), FT(p.second - a.y));
   }
 
-  /// writes a shortest path from a point to its nearest source as a polyline of `Face_location`, beginning with the point and ending
-  /// on the source; consecutive ones lie in a common face. Returns the number of the source, or `no_source()` with nothing written.
+  /// writes a shortest path from a point to its nearest source as a polyline of `Face_location`, beginning with the
+  /// point and ending on the source; consecutive ones lie in a common face. Returns the number of the source, or
+  /// `no_source()` with nothing written.
   template <typename OutputIterator>
   std::size_t shortest_path(const Face_location& location, OutputIterator out) const
   {
-    if(! m_propagation || ! m_has_windows)
+    if(!m_propagation || !m_has_windows)
       return no_source();
     const int f = m_field_mesh.face_index(location.first);
     const auto p = place(f, point(location));
@@ -397,14 +400,17 @@ public:
     const int h = is_reached(v) ? m_mesh.halfedge_of_vertex[index(v)] : -1;
     if(h == -1)
       return no_source();
-    Face_location location(m_field_mesh.face_of_index(h / 3), {{ 0, 0, 0 }});
+    Face_location location(m_field_mesh.face_of_index(h / 3), { { 0, 0, 0 } });
     location.second[h % 3] = 1;
     return shortest_path(location, out);
   }
 
-  /// returns the number of windows on all edges, 0 if they are not kept. Those between faces of a group are made to be counted, which takes a part
-  /// of the time of `propagate()` but no memory.
-  std::size_t number_of_windows() const { return m_propagation && m_has_windows ? m_propagation->number_of_windows() : 0; }
+  /// returns the number of windows on all edges, 0 if they are not kept. Those between faces of a group are made to be
+  /// counted, which takes a part of the time of `propagate()` but no memory.
+  std::size_t number_of_windows() const
+  {
+    return m_propagation && m_has_windows ? m_propagation->number_of_windows() : 0;
+  }
 
   /// writes the windows of an edge in their order along `halfedge(e, tm)`.
   template <typename OutputIterator>
@@ -413,7 +419,7 @@ public:
     halfedge_descriptor h = halfedge(e, m_tm);
     if(is_border(h, m_tm))
       h = opposite(h, m_tm);
-    if(! m_propagation || ! m_has_windows || is_border(h, m_tm))
+    if(!m_propagation || !m_has_windows || is_border(h, m_tm))
       return out;
     const int i = m_mesh.halfedge_of_edge[m_mesh.edge_of[m_field_mesh.halfedge_index(h)]];
     const halfedge_descriptor from = i == m_field_mesh.halfedge_index(h) ? h : opposite(h, m_tm);
@@ -444,8 +450,8 @@ private:
   Surface_point point(const Location& location) const
   {
     return internal::surface_point(m_mesh, m_field_mesh.face_index(location.first),
-                                   {{ CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
-                                      CGAL::to_double(location.second[2]) }});
+                                   { { CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
+                                       CGAL::to_double(location.second[2]) } });
   }
 
   std::pair<FT, FT> place(int f, const Surface_point& p) const { return internal::place_in_face(m_mesh, f, p); }
@@ -454,7 +460,7 @@ private:
 
   Arrival arrival(const Face_location& location) const
   {
-    if(! m_propagation || ! m_has_windows)
+    if(!m_propagation || !m_has_windows)
       return Arrival{ Arrival::NOWHERE, FT(0), -1, FT(0), FT(0), FT(0), 0 };
     const int f = m_field_mesh.face_index(location.first);
     const auto p = place(f, point(location));
@@ -468,15 +474,15 @@ private:
 
   bool all_nearer(const std::vector<int>& targets, double front) const
   {
-    return std::all_of(targets.begin(), targets.end(), [&](int v)
-    {
+    return std::all_of(targets.begin(), targets.end(),
+                       [&](int v) {
       return m_propagation->is_reached(v) && internal::as_double(m_propagation->label(v).distance) < front;
     });
   }
 
   const TriangleMesh& m_tm;
   internal::Field_mesh<TriangleMesh, FT> m_field_mesh;
-  const Mesh& m_mesh;                                  // its unfolded form
+  const Mesh& m_mesh; // its unfolded form
   Geodesic_distance_status m_status = Geodesic_distance_status::SUCCESS;
   Sources m_sources;
   std::size_t m_number_of_sources = 0;

@@ -35,12 +35,12 @@ inline std::string get_message(Geodesic_distance_status status)
 {
   switch(status)
   {
-    case Geodesic_distance_status::SUCCESS:             return "The distances were computed.";
-    case Geodesic_distance_status::LIMIT_REACHED:       return "The distances were computed up to the limit.";
-    case Geodesic_distance_status::STOPPED:             return "The visitor stopped the computation of the distances.";
-    case Geodesic_distance_status::NO_SOURCE:           return "There is no source to measure distances from.";
+    case Geodesic_distance_status::SUCCESS: return "The distances were computed.";
+    case Geodesic_distance_status::LIMIT_REACHED: return "The distances were computed up to the limit.";
+    case Geodesic_distance_status::STOPPED: return "The visitor stopped the computation of the distances.";
+    case Geodesic_distance_status::NO_SOURCE: return "There is no source to measure distances from.";
     case Geodesic_distance_status::NOT_A_TRIANGLE_MESH: return "The mesh has a face that is not a triangle.";
-    case Geodesic_distance_status::POINT_NOT_FINITE:    return "A vertex has a coordinate that is not a finite number.";
+    case Geodesic_distance_status::POINT_NOT_FINITE: return "A vertex has a coordinate that is not a finite number.";
   }
   return std::string();
 }
@@ -55,7 +55,8 @@ struct Geodesic_distance_result
   Geodesic_distance_status status = Geodesic_distance_status::SUCCESS;
   /// the same as a sentence
   std::string message;
-  /// the number of windows that are kept at the end, on the edges between groups of faces; `Geodesic_distance_field::number_of_windows()` tells that of all edges
+  /// the number of windows that are kept at the end, on the edges between groups of faces;
+  /// `Geodesic_distance_field::number_of_windows()` tells that of all edges
   std::size_t number_of_windows = 0;
   /// the number of times a window crossed a face
   std::size_t number_of_propagations = 0;

@@ -48,19 +48,21 @@ struct Distance_certificate
  *
  * \brief computes an interval for each vertex that is guaranteed to contain its true distance.
  *
- * The true distance is that of real arithmetic on the surface whose vertices have the coordinates as given, from the sources as given
- * (a point inside of a face or an edge is taken as the field stores it, which moves it by rounding).
- * The guarantee rests on the windows of the field in no way: they are checked after the fact. The upper bound is the length of a path that is
- * there. The lower bound is the distance that the field claims, less all that it lacks of being a function which
- * nowhere grows faster than the way does, as no such function can exceed the distance. All of this is computed with proven bounds for rounding
- * errors, in arithmetic of twice the precision of `double`. An error in the field makes enclosures wide, never wrong.
+ * The true distance is that of real arithmetic on the surface whose vertices have the coordinates as given, from the
+ * sources as given (a point inside of a face or an edge is taken as the field stores it, which moves it by rounding).
+ * The guarantee rests on the windows of the field in no way: they are checked after the fact. The upper bound is the
+ * length of a path that is there. The lower bound is the distance that the field claims, less all that it lacks of
+ * being a function which nowhere grows faster than the way does, as no such function can exceed the distance. All of
+ * this is computed with proven bounds for rounding errors, in arithmetic of twice the precision of `double`. An error
+ * in the field makes enclosures wide, never wrong.
  *
- * Coordinates must be numbers of type `double`; those of other types are rounded first, and the guarantee is for the rounded ones.
- * The rounding mode must be to nearest. Fields with `relative_distance_error` may be certified too, the enclosures are as wide as the errors.
+ * Coordinates must be numbers of type `double`; those of other types are rounded first, and the guarantee is for the
+ * rounded ones. The rounding mode must be to nearest. Fields with `relative_distance_error` may be certified too, the
+ * enclosures are as wide as the errors.
  *
  * \tparam TriangleMesh the type of the mesh of the field
- * \tparam VertexEnclosureMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key
- *         type and `CGAL::Interval_nt<>` as value type
+ * \tparam VertexEnclosureMap a model of `WritablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `CGAL::Interval_nt<>` as value type
  *
  * \param field a field after `propagate()` without a limit, with its windows kept
  * \param enclosures receives the intervals; from infinity to infinity where no source reaches
@@ -74,10 +76,11 @@ struct Distance_certificate
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  */
-template <typename TriangleMesh, typename VertexEnclosureMap, typename NamedParameters = parameters::Default_named_parameters>
-Distance_certificate
-certify_distances(const Geodesic_distance_field<TriangleMesh>& field, VertexEnclosureMap enclosures,
-                  const NamedParameters& np = parameters::default_values())
+template <typename TriangleMesh, typename VertexEnclosureMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Distance_certificate certify_distances(const Geodesic_distance_field<TriangleMesh>& field,
+                                       VertexEnclosureMap enclosures,
+                                       const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter_reference;
@@ -113,14 +116,16 @@ certify_distances(const Geodesic_distance_field<TriangleMesh>& field, VertexEncl
   for(auto v : vertices(Access::graph(field)))
   {
     const int i = Access::index(field, v);
-    const Interval_nt<> enclosure = certificate ? Interval_nt<>(lower[i], upper[i]) : Interval_nt<>(-infinity, infinity);
+    const Interval_nt<> enclosure =
+      certificate ? Interval_nt<>(lower[i], upper[i]) : Interval_nt<>(-infinity, infinity);
     put(enclosures, v, enclosure);
-    if(! field.is_reached(v))
+    if(!field.is_reached(v))
       continue;
     const double width = enclosure.sup() - enclosure.inf();
     certificate.largest_width = (std::max)(certificate.largest_width, width);
     if(width > 0)
-      certificate.largest_relative_width = (std::max)(certificate.largest_relative_width, width / std::fabs(enclosure.sup()));
+      certificate.largest_relative_width =
+        (std::max)(certificate.largest_relative_width, width / std::fabs(enclosure.sup()));
   }
   return certificate;
 }
@@ -133,7 +138,7 @@ certify_distances(const Geodesic_distance_field<TriangleMesh>& field, VertexEncl
  * It is `Geodesic_distance_field<TriangleMesh>` with `certify_distances()` at the end of `propagate()`.
  */
 template <typename TriangleMesh, bool Protected>
-class Geodesic_distance_field<TriangleMesh, Interval_nt<Protected> >
+class Geodesic_distance_field<TriangleMesh, Interval_nt<Protected>>
   : public Geodesic_distance_field<TriangleMesh, double>
 {
   typedef Geodesic_distance_field<TriangleMesh, double> Base;
@@ -145,7 +150,8 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Geodesic_distance_field(const TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
     : Base(tm, np)
-  {}
+  {
+  }
 
   /// computes the field and the enclosures; the parameters are those of the base class.
   template <typename NamedParameters = parameters::Default_named_parameters>
@@ -176,15 +182,16 @@ private:
     typedef boost::writable_property_map_tag category;
 
     const Base* field;
-    std::vector<Interval_nt<Protected> >* enclosures;
+    std::vector<Interval_nt<Protected>>* enclosures;
 
     friend void put(const Enclosure_map& map, key_type v, const value_type& enclosure)
     {
-      (*map.enclosures)[internal::Field_access::index(*map.field, v)] = Interval_nt<Protected>(enclosure.inf(), enclosure.sup());
+      (*map.enclosures)[internal::Field_access::index(*map.field, v)] =
+        Interval_nt<Protected>(enclosure.inf(), enclosure.sup());
     }
   };
 
-  std::vector<Interval_nt<Protected> > m_enclosures;
+  std::vector<Interval_nt<Protected>> m_enclosures;
   Distance_certificate m_certificate;
 };
 

@@ -49,14 +49,14 @@ struct Distance_refinement_result
  * \brief refines a mesh until the linear interpolation of the distance at its vertices is close to the distance on all
  * of its edges.
  *
- * The surface does not change, and the field is not computed again: its windows tell the distance of every new vertex. Edges are
- * split where their error is largest, so that vertices come to lie on the ridges of the distance and few are needed; triangles with three split
- * edges are divided into four similar ones.
+ * The surface does not change, and the field is not computed again: its windows tell the distance of every new vertex.
+ * Edges are split where their error is largest, so that vertices come to lie on the ridges of the distance and few are
+ * needed; triangles with three split edges are divided into four similar ones.
  *
  * \tparam TriangleMesh the type of the mesh of the field
  * \tparam RefinedMesh a model of `MutableFaceGraph` with an internal point property
- * \tparam VertexDistanceMap a model of `WritablePropertyMap` with `boost::graph_traits<RefinedMesh>::%vertex_descriptor` as key
- *         type and `double` as value type
+ * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
+ * `boost::graph_traits<RefinedMesh>::%vertex_descriptor` as key type and `double` as value type
  *
  * \param field a field after `propagate()`, with its windows kept
  * \param refined the output, to which the refined mesh is added
@@ -66,9 +66,8 @@ struct Distance_refinement_result
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{maximum_number_of_faces}
- *     \cgalParamDescription{the refinement ends after the round in which this number is reached, whether the tolerance is met or not}
- *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{256 times the number of faces of the input}
+ *     \cgalParamDescription{the refinement ends after the round in which this number is reached, whether the tolerance
+ * is met or not} \cgalParamType{`std::size_t`} \cgalParamDefault{256 times the number of faces of the input}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -76,17 +75,19 @@ struct Distance_refinement_result
  */
 template <typename TriangleMesh, typename RefinedMesh, typename VertexDistanceMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Distance_refinement_result
-refine_distance_field(const Geodesic_distance_field<TriangleMesh>& field, RefinedMesh& refined, VertexDistanceMap distances,
-                      double tolerance, const NamedParameters& np = parameters::default_values())
+Distance_refinement_result refine_distance_field(const Geodesic_distance_field<TriangleMesh>& field,
+                                                 RefinedMesh& refined, VertexDistanceMap distances, double tolerance,
+                                                 const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef internal::Field_refinement Refinement;
 
   CGAL_precondition(tolerance > 0);
-  const std::size_t default_maximum = 256 * static_cast<std::size_t>(internal::Field_access::mesh(field).number_of_faces());
-  const std::size_t maximum_faces = choose_parameter(get_parameter(np, internal_np::maximum_number_of_faces), default_maximum);
+  const std::size_t default_maximum =
+    256 * static_cast<std::size_t>(internal::Field_access::mesh(field).number_of_faces());
+  const std::size_t maximum_faces =
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_faces), default_maximum);
   Distance_refinement_result result;
   const auto* propagation = internal::Field_access::propagation(field);
   if(propagation == nullptr)
@@ -102,8 +103,8 @@ refine_distance_field(const Geodesic_distance_field<TriangleMesh>& field, Refine
   const auto write = [&](const std::pair<Refinement::Vertex, vertex_descriptor>& copy)
   {
     const double d = refinement.distance(copy.first);
-    put(distances, copy.second, d < internal::Window_propagation<double>::unreached()
-                                ? d : std::numeric_limits<double>::infinity());
+    put(distances, copy.second,
+        d < internal::Window_propagation<double>::unreached() ? d : std::numeric_limits<double>::infinity());
   };
   copy_face_graph(refinement.mesh(), refined,
                   parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator(write)));

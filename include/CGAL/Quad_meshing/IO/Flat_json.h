@@ -111,7 +111,7 @@ inline std::string json_number(double x)
  */
 class Flat_json
 {
-  std::vector<std::pair<std::string, std::string> > m_members;
+  std::vector<std::pair<std::string, std::string>> m_members;
 
   void set_literal(const std::string& key, std::string literal)
   {
@@ -130,8 +130,7 @@ public:
   /// gives `key` the value `value`, in place of the value it may have had.
   /// `Number` is `bool`, an integer type or a floating point type.
   template <typename Number>
-  std::enable_if_t<std::is_arithmetic<Number>::value>
-  set(const std::string& key, Number value)
+  std::enable_if_t<std::is_arithmetic<Number>::value> set(const std::string& key, Number value)
   {
     if constexpr(std::is_same<Number, bool>::value)
       set_literal(key, value ? "true" : "false");
@@ -142,10 +141,7 @@ public:
   }
 
   /// gives `key` the value `value`, in place of the value it may have had.
-  void set(const std::string& key, const std::string& value)
-  {
-    set_literal(key, internal::json_string(value));
-  }
+  void set(const std::string& key, const std::string& value) { set_literal(key, internal::json_string(value)); }
 
   /// gives `key` the value `value`, in place of the value it may have had.
   void set(const std::string& key, const char* value) { set(key, std::string(value)); }

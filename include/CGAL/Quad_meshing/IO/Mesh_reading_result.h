@@ -40,16 +40,16 @@ inline const char* status_name(Mesh_reading_status status)
 {
   switch(status)
   {
-  case Mesh_reading_status::SUCCESS: return "success";
-  case Mesh_reading_status::CANNOT_OPEN: return "cannot_open";
-  case Mesh_reading_status::EMPTY_FILE: return "empty_file";
-  case Mesh_reading_status::UNKNOWN_FORMAT: return "unknown_format";
-  case Mesh_reading_status::MALFORMED_FILE: return "malformed_file";
-  case Mesh_reading_status::INVALID_INDEX: return "invalid_index";
-  case Mesh_reading_status::INVALID_COORDINATE: return "invalid_coordinate";
-  case Mesh_reading_status::NO_FACES: return "no_faces";
-  case Mesh_reading_status::NOT_ORIENTABLE: return "not_orientable";
-  case Mesh_reading_status::NEEDS_REPAIR: return "needs_repair";
+    case Mesh_reading_status::SUCCESS: return "success";
+    case Mesh_reading_status::CANNOT_OPEN: return "cannot_open";
+    case Mesh_reading_status::EMPTY_FILE: return "empty_file";
+    case Mesh_reading_status::UNKNOWN_FORMAT: return "unknown_format";
+    case Mesh_reading_status::MALFORMED_FILE: return "malformed_file";
+    case Mesh_reading_status::INVALID_INDEX: return "invalid_index";
+    case Mesh_reading_status::INVALID_COORDINATE: return "invalid_coordinate";
+    case Mesh_reading_status::NO_FACES: return "no_faces";
+    case Mesh_reading_status::NOT_ORIENTABLE: return "not_orientable";
+    case Mesh_reading_status::NEEDS_REPAIR: return "needs_repair";
   }
   return "unknown";
 }
@@ -98,7 +98,8 @@ struct Mesh_repairs
     , flatten_faces(all)
     , orient_faces(all)
     , separate_sheets(all)
-  {}
+  {
+  }
 };
 
 /*!
@@ -131,8 +132,7 @@ public:
 #ifndef DOXYGEN_RUNNING
   // 0xFFFFFFFF stands for none. Vectors that give every element its own number are not kept.
   File_numbers(std::vector<std::uint32_t> file_number, std::vector<std::uint32_t> mesh_number)
-    : m_mesh_size(file_number.size())
-    , m_file_size(mesh_number.size())
+    : m_mesh_size(file_number.size()), m_file_size(mesh_number.size())
   {
     bool is_identity = m_mesh_size == m_file_size;
     for(std::size_t i = 0; i < m_mesh_size && is_identity; ++i)

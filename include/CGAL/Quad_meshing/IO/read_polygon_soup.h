@@ -27,9 +27,9 @@ namespace Quad_meshing {
  * \brief reads points and polygons from a file, as the function template of this name does. It is compiled once with
  * the package.
  */
-CGAL_QUAD_MESHING_INLINE Mesh_reading_result
-read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3> >& points,
-                  std::vector<std::vector<std::size_t> >& polygons);
+CGAL_QUAD_MESHING_INLINE Mesh_reading_result read_polygon_soup(const std::string& filename,
+                                                               std::vector<std::array<double, 3>>& points,
+                                                               std::vector<std::vector<std::size_t>>& polygons);
 
 /*!
  * \ingroup PkgQuadMeshingIORef
@@ -54,10 +54,7 @@ read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3>
  * \sa `read_triangle_mesh()`
  */
 template <typename PointRange, typename PolygonRange>
-Mesh_reading_result
-read_polygon_soup(const std::string& filename,
-                  PointRange& points,
-                  PolygonRange& polygons)
+Mesh_reading_result read_polygon_soup(const std::string& filename, PointRange& points, PolygonRange& polygons)
 {
   typedef typename PointRange::value_type Point;
   typedef typename PolygonRange::value_type Polygon;

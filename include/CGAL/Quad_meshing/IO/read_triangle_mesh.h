@@ -64,10 +64,8 @@ namespace Quad_meshing {
  * \return whether and how it ended, and what was repaired
  */
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
-Mesh_reading_result
-read_triangle_mesh(const std::string& filename,
-                   FaceGraph& g,
-                   const NamedParameters& np = parameters::default_values())
+Mesh_reading_result read_triangle_mesh(const std::string& filename, FaceGraph& g,
+                                       const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -84,7 +82,7 @@ read_triangle_mesh(const std::string& filename,
 
   clear(g);
   VertexPointMap vpm =
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, g));
+    choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, g));
   internal::build_mesh(surface, g, vpm);
   return result;
 }

@@ -31,17 +31,21 @@ class Arc_subdivision
   typedef std::vector<Motorcycle_complex::Piece> Side;
 
   const std::vector<int>& m_length;
-  std::vector<std::array<int, 2> > m_nodes;
+  std::vector<std::array<int, 2>> m_nodes;
   std::vector<int> m_first_point, m_first_edge;
 
 public:
-  Disjoint_sets points, edges;          // which of them are the same
+  Disjoint_sets points, edges; // which of them are the same
 
   // `node_number` numbers the nodes of the complex from 0, per vertex of the mesh.
   Arc_subdivision(const Motorcycle_complex& complex, const std::vector<int>& length,
                   const std::vector<int>& node_number, int number_of_nodes)
-    : m_length(length), m_nodes(length.size()), m_first_point(length.size() + 1), m_first_edge(length.size() + 1),
-      points(0), edges(0)
+    : m_length(length)
+    , m_nodes(length.size())
+    , m_first_point(length.size() + 1)
+    , m_first_edge(length.size() + 1)
+    , points(0)
+    , edges(0)
   {
     m_first_point[0] = number_of_nodes;
     for(std::size_t a = 0; a < length.size(); ++a)
@@ -50,7 +54,7 @@ public:
       m_first_point[a + 1] = m_first_point[a] + (std::max)(0, length[a] - 1);
     }
     for(std::size_t a = 0; a < length.size(); ++a)
-      m_nodes[a] = {{ node_number[complex.arcs[a].nodes[0]], node_number[complex.arcs[a].nodes[1]] }};
+      m_nodes[a] = { { node_number[complex.arcs[a].nodes[0]], node_number[complex.arcs[a].nodes[1]] } };
     points = Disjoint_sets(m_first_point.back());
     edges = Disjoint_sets(m_first_edge.back());
 

@@ -35,7 +35,7 @@ public:
       const Motorcycle_complex::Arc& arc = complex.arcs[a];
       if(!arc.is_feature && !arc.is_border)
         continue;
-      std::vector<double> &length = m_arcs[a].length, &turn = m_arcs[a].turn;
+      std::vector<double>&length = m_arcs[a].length, &turn = m_arcs[a].turn;
       length.assign(1, 0.);
       turn.assign(1, 0.);
       for(std::size_t i = 0; i < arc.halfedges.size(); ++i)

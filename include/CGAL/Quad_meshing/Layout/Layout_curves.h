@@ -40,8 +40,8 @@ public:
   // No limit for the number of parallel curves.
   static constexpr int any_multiplicity = (std::numeric_limits<int>::max)();
 
-  std::vector<int> of_edge;             // per edge of the subdivision of the arcs
-  std::vector<double> edge_length;      // per curve: mean length of the edges that it crosses, in edges of the input
+  std::vector<int> of_edge;        // per edge of the subdivision of the arcs
+  std::vector<double> edge_length; // per curve: mean length of the edges that it crosses, in edges of the input
 
   Layout_curves(const Layout_quantization& quantization, const std::vector<int>& length)
     : m_quantization(quantization), m_length(length)
@@ -78,7 +78,8 @@ public:
   // Asks for as many parallel curves as it takes to follow the features of the input where they bend.
   void follow(const Feature_bends& bends)
   {
-    for_each_feature_edge(bends, [&](int curve, double, double bend) { m_bend[curve] = (std::max)(m_bend[curve], bend); });
+    for_each_feature_edge(bends,
+                          [&](int curve, double, double bend) { m_bend[curve] = (std::max)(m_bend[curve], bend); });
   }
 
   // Limits how many parallel ones replace each curve, unless it takes more to follow a feature.
@@ -89,8 +90,9 @@ public:
   double feature_misfit(const Feature_bends& bends, const std::vector<int>& multiplicity) const
   {
     double sum = 0, length = 0;
-    for_each_feature_edge(bends, [&](int curve, double l, double bend)
-    {
+    for_each_feature_edge(bends,
+                          [&](int curve, double l, double bend)
+                          {
       const double distance = bend / (8 * multiplicity[curve] * multiplicity[curve]);
       sum += l * (std::max)(0., distance / feature_distance - 1);
       length += l;
@@ -118,7 +120,8 @@ public:
     std::vector<int> result;
     for(std::size_t c = 0; c < edge_length.size(); ++c)
     {
-      const int even = (std::min)((std::max)(1, static_cast<int>(std::floor(edge_length[c] / aim + 0.5))), m_largest[c]);
+      const int even =
+        (std::min)((std::max)(1, static_cast<int>(std::floor(edge_length[c] / aim + 0.5))), m_largest[c]);
       result.push_back((std::max)(even, number_of_chords(static_cast<int>(c), aim)));
     }
     return result;
@@ -174,15 +177,16 @@ private:
         for(int i = 0; i < m_length[a]; ++i)
         {
           const double step = double(m_quantization.complex().arcs[a].length()) / m_length[a];
-          const double from = i * step, to = i + 1 == m_length[a] ? m_quantization.complex().arcs[a].length() : (i + 1) * step;
+          const double from = i * step,
+                       to = i + 1 == m_length[a] ? m_quantization.complex().arcs[a].length() : (i + 1) * step;
           f(of_edge[e + i], bends.length(a, from, to), bends.bend(a, from, to));
         }
   }
 
   const Layout_quantization& m_quantization;
   const std::vector<int>& m_length;
-  std::vector<int> m_largest;           // per curve: largest number of parallel ones
-  std::vector<double> m_bend;           // per curve: largest bend of a feature edge that it crosses and has to follow
+  std::vector<int> m_largest; // per curve: largest number of parallel ones
+  std::vector<double> m_bend; // per curve: largest bend of a feature edge that it crosses and has to follow
 };
 
 } // namespace internal

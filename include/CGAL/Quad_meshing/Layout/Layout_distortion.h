@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// How much the quads of a mesh must be sheared and stretched at least for the arcs of its motorcycle complex to get other lengths.
+// How much the quads of a mesh must be sheared and stretched at least for the arcs of its motorcycle complex to get
+// other lengths.
 //
 // The new mesh is a map of the old one to other integer coordinates in each rectangle. One such map takes each arc
 // linearly to its new length and interpolates in between; all others differ from it by displacements that rotate with
@@ -30,7 +31,8 @@ namespace internal {
 // least distortion solve a linear system whose right side is linear in the lengths. So the least distortion is a
 // quadratic form of the lengths, which is set up once; then a layout takes no more than a product with a matrix.
 //
-// A map with the Jacobian ((a, b), (c, d)) is conformal if a = d and b = -c, and then the corners of the quads stay right.
+// A map with the Jacobian ((a, b), (c, d)) is conformal if a = d and b = -c, and then the corners of the quads stay
+// right.
 class Layout_distortion
 {
 public:
@@ -39,18 +41,20 @@ public:
   // What is added to the diagonal, relative to a weight: a component without irregular vertices may move as a whole.
   static constexpr double regularization = 1e-8;
 
-  // `mesh` and `complex` are needed during the construction only. If the visitor asks for an end, the object is of no use.
+  // `mesh` and `complex` are needed during the construction only. If the visitor asks for an end, the object is of no
+  // use.
   CGAL_QUAD_MESHING_INLINE
   Layout_distortion(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const Quad_vertex_rules& rules,
                     const std::vector<char>& is_fixed, Any_visitor& visitor);
   CGAL_QUAD_MESHING_INLINE Layout_distortion(Layout_distortion&& other);
   CGAL_QUAD_MESHING_INLINE ~Layout_distortion();
 
-  // The least mean squared distortion of the corners, when the arcs get these lengths, at the scale at which it is least.
+  // The least mean squared distortion of the corners, when the arcs get these lengths, at the scale at which it is
+  // least.
   CGAL_QUAD_MESHING_INLINE double operator()(const std::vector<int>& length) const;
 
-  // The prices of making arcs longer: the derivative of the distortion, without what the equal lengths of opposite sides
-  // leave open, relative to its mean absolute value.
+  // The prices of making arcs longer: the derivative of the distortion, without what the equal lengths of opposite
+  // sides leave open, relative to its mean absolute value.
   CGAL_QUAD_MESHING_INLINE std::vector<double> prices(const std::vector<int>& length) const;
 
 private:
@@ -63,7 +67,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Layout/internal/Layout_distortion_impl.h>
+#include <CGAL/Quad_meshing/Layout/internal/Layout_distortion_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_LAYOUT_LAYOUT_DISTORTION_H

@@ -43,11 +43,13 @@ public:
   // Least cost of an arc in the search, so that every path costs something.
   static constexpr double least_cost = 0.05;
 
-  std::vector<int> length;                    // per arc
+  std::vector<int> length; // per arc
 
-  Layout_quantization(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const std::vector<char>& is_fixed,
-                      bool merge_singularities)
-    : m_complex(complex), m_rules(make_quad_vertex_rules(mesh, merge_singularities)), m_node_number(mesh.number_of_vertices(), -1)
+  Layout_quantization(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex,
+                      const std::vector<char>& is_fixed, bool merge_singularities)
+    : m_complex(complex)
+    , m_rules(make_quad_vertex_rules(mesh, merge_singularities))
+    , m_node_number(mesh.number_of_vertices(), -1)
   {
     for(const Motorcycle_complex::Arc& a : complex.arcs)
     {
@@ -122,8 +124,8 @@ public:
   }
 
   // Adds `by` to the lengths along a cheap path across an arc; false if none is found, or with
-  // `only_with_gain` if its price is not negative. The path is cheap by the sum of `price(arc, change)` over the arcs, and
-  // if it crosses few edges of the input, each of which costs `edge_cost`.
+  // `only_with_gain` if its price is not negative. The path is cheap by the sum of `price(arc, change)` over the arcs,
+  // and if it crosses few edges of the input, each of which costs `edge_cost`.
   template <typename Price>
   bool change(int arc, int by, const Price& price, double edge_cost, bool only_with_gain)
   {
@@ -132,8 +134,8 @@ public:
       for(std::size_t a = 0; a < length.size(); ++a)
       {
         const Motorcycle_complex::Arc& x = m_complex.arcs[a];
-        forbidden[a] = length[a] < -by
-          || (length[a] == -by && m_rules.is_special[x.nodes[0]] && m_rules.is_special[x.nodes[1]]);
+        forbidden[a] =
+          length[a] < -by || (length[a] == -by && m_rules.is_special[x.nodes[0]] && m_rules.is_special[x.nodes[1]]);
       }
     if(forbidden[arc])
       return false;
@@ -168,8 +170,8 @@ public:
           return true;
         // the longest of those that have vanished stays
         for(int a : path)
-          if(a != arc && length[a] == 0
-             && (conflict == -1 || m_complex.arcs[a].length() > m_complex.arcs[conflict].length()))
+          if(a != arc && length[a] == 0 &&
+             (conflict == -1 || m_complex.arcs[a].length() > m_complex.arcs[conflict].length()))
             conflict = a;
         for(int a : path)
           length[a] -= by;
@@ -184,14 +186,12 @@ public:
   // The same, the price of an arc being what it then fits worse to the scale.
   bool change(int arc, int by, double scale, double edge_cost, bool only_with_gain)
   {
-    return change(arc, by, [&](std::size_t a, int change) { return -gain(a, change, scale); }, edge_cost, only_with_gain);
+    return change(
+      arc, by, [&](std::size_t a, int change) { return -gain(a, change, scale); }, edge_cost, only_with_gain);
   }
 
 private:
-  double excess(std::size_t arc, double scale) const
-  {
-    return length[arc] - m_complex.arcs[arc].length() / scale;
-  }
+  double excess(std::size_t arc, double scale) const { return length[arc] - m_complex.arcs[arc].length() / scale; }
 
   // How much less the squared excess becomes when an arc changes.
   double gain(std::size_t arc, int by, double scale) const
@@ -238,7 +238,7 @@ private:
   int search(int start, int target, int by, const Price& price, double edge_cost, const std::vector<char>& forbidden)
   {
     typedef std::pair<double, int> Item;
-    std::priority_queue<Item, std::vector<Item>, std::greater<Item> > queue;
+    std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
     m_distance.assign(2 * length.size(), (std::numeric_limits<double>::max)());
     m_origin.assign(2 * length.size(), -1);
     queue.push(Item(0, start));
@@ -304,7 +304,10 @@ private:
       result.is_allowed = result.is_allowed && is_left[c];
 
     // what becomes one; an edge of a feature that vanishes merges two vertices of the same feature
-    struct Group { int special = 0, irregular_inside = 0, features = 0, borders = 0; };
+    struct Group
+    {
+      int special = 0, irregular_inside = 0, features = 0, borders = 0;
+    };
     std::vector<Group> groups(s.number_of_points());
     for(std::size_t i = 0; i < m_vertex_of_node.size(); ++i)
     {
@@ -333,21 +336,22 @@ private:
         g.borders -= x.is_border;
       }
     }
-    result.is_allowed = result.is_allowed && std::all_of(groups.begin(), groups.end(), [](const Group& g)
-    {
-      return g.special <= 1 && g.features <= 1 && g.borders <= 1
-          && (g.features == 0 || g.borders == 0 || g.special == 1)
-          && (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
-    });
+    result.is_allowed = result.is_allowed && std::all_of(groups.begin(), groups.end(),
+                                                         [](const Group& g)
+                                                         {
+      return g.special <= 1 && g.features <= 1 && g.borders <= 1 &&
+             (g.features == 0 || g.borders == 0 || g.special == 1) &&
+             (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
+                        });
     return result;
   }
 
   const Motorcycle_complex& m_complex;
   Quad_vertex_rules m_rules;
   std::vector<int> m_node_number, m_vertex_of_node;
-  std::vector<int> m_component;               // per patch: the first one of its connected component
+  std::vector<int> m_component; // per patch: the first one of its connected component
   int m_euler_characteristic = 0;
-  std::vector<double> m_distance;             // of the last search, per state
+  std::vector<double> m_distance; // of the last search, per state
   std::vector<int> m_origin;
 };
 

@@ -39,18 +39,26 @@ class Layout_realization
 
 public:
   // Whether vertices get their positions, or all the same.
-  enum Kind { TOPOLOGY, GEOMETRY };
+  enum Kind
+  {
+    TOPOLOGY,
+    GEOMETRY
+  };
 
   Indexed_quad_mesh mesh;
-  std::vector<int> origin;        // per vertex: the vertex of the input that it is, -1 if it is none
-  std::vector<int> side_of_edge;  // per edge of the subdivision: a halfedge of the mesh, for one of those that are the same
-  bool is_closed_up = true;       // whether all sides found their neighbours
+  std::vector<int> origin; // per vertex: the vertex of the input that it is, -1 if it is none
+  std::vector<int>
+    side_of_edge;           // per edge of the subdivision: a halfedge of the mesh, for one of those that are the same
+  bool is_closed_up = true; // whether all sides found their neighbours
 
   // `length` must live as long as the object.
   Layout_realization(const Indexed_quad_mesh& input, const Layout_quantization& quantization,
                      const std::vector<int>& length, const std::vector<char>& is_fixed, Kind kind = GEOMETRY)
-    : m(input), m_complex(quantization.complex()), m_length(length), m_subdivision(quantization.subdivision(length)),
-      m_kind(kind)
+    : m(input)
+    , m_complex(quantization.complex())
+    , m_length(length)
+    , m_subdivision(quantization.subdivision(length))
+    , m_kind(kind)
   {
     place_wall_points(quantization, is_fixed);
     side_of_edge.assign(m_subdivision.number_of_edges(), -1);
@@ -116,12 +124,15 @@ private:
     for(std::size_t i = 0; i < nodes.size(); ++i)
     {
       const int v = nodes[i];
-      const int w = is_fixed[v] ? 4 : rules.on_feature[v] || rules.on_border[v] ? 2 + rules.is_special[v] : is_irregular(m, v);
+      const int w = is_fixed[v]                                 ? 4
+                    : rules.on_feature[v] || rules.on_border[v] ? 2 + rules.is_special[v]
+                                                                : is_irregular(m, v);
       add(static_cast<int>(i), w, m.points[v], v);
     }
     for(std::size_t a = 0; a < m_length.size() && m_kind == GEOMETRY; ++a)
       for(int i = 1; i < m_length[a]; ++i)
-        add(m_subdivision.point(static_cast<int>(a), i), m_complex.arcs[a].is_feature || m_complex.arcs[a].is_border ? 2 : 0,
+        add(m_subdivision.point(static_cast<int>(a), i),
+            m_complex.arcs[a].is_feature || m_complex.arcs[a].is_border ? 2 : 0,
             on_arc(static_cast<int>(a), double(i) * m_complex.arcs[a].length() / m_length[a]), -1);
 
     m_vertex_of_point.assign(n, -1);
@@ -186,8 +197,8 @@ private:
           const double s = double(i) / w, t = double(j) / h;
           v = mesh.number_of_vertices();
           mesh.points.push_back(m_kind == TOPOLOGY ? Point_3(ORIGIN)
-                                : inside(p, (1 - t) * place[0][i] + t * (p.width - place[2][w - i]),
-                                         (1 - s) * (p.height - place[3][h - j]) + s * place[1][j]));
+                                                   : inside(p, (1 - t) * place[0][i] + t * (p.width - place[2][w - i]),
+                                                            (1 - s) * (p.height - place[3][h - j]) + s * place[1][j]));
           origin.push_back(-1);
         }
       }
@@ -197,7 +208,7 @@ private:
       for(int i = 0; i < w; ++i)
       {
         const int v = i + j * (w + 1), f = first + i + j * w;
-        mesh.corners.push_back({{ vertex[v], vertex[v + 1], vertex[v + w + 2], vertex[v + w + 1] }});
+        mesh.corners.push_back({ { vertex[v], vertex[v + 1], vertex[v + w + 2], vertex[v + w + 1] } });
         const int neighbor[4] = { j > 0 ? 4 * (f - w) + 2 : -1, i + 1 < w ? 4 * (f + 1) + 3 : -1,
                                   j + 1 < h ? 4 * (f + w) : -1, i > 0 ? 4 * (f - 1) + 1 : -1 };
         mesh.opposite.insert(mesh.opposite.end(), neighbor, neighbor + 4);
@@ -234,7 +245,8 @@ private:
     const int j = (std::min)((std::max)(static_cast<int>(v), 0), p.height - 1);
     const double s = u - i, t = v - j;
     auto at = [&](int a, int b) { return m.points[p.vertices[a + b * (p.width + 1)]] - ORIGIN; };
-    return ORIGIN + (1 - s) * (1 - t) * at(i, j) + s * (1 - t) * at(i + 1, j) + (1 - s) * t * at(i, j + 1) + s * t * at(i + 1, j + 1);
+    return ORIGIN + (1 - s) * (1 - t) * at(i, j) + s * (1 - t) * at(i + 1, j) + (1 - s) * t * at(i, j + 1) +
+           s * t * at(i + 1, j + 1);
   }
 
   void drop_unused_vertices()

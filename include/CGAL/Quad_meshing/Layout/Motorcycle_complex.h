@@ -35,11 +35,11 @@ struct Motorcycle_complex
 {
   struct Arc
   {
-    std::vector<int> halfedges;               // from the first node to the second
-    std::array<int, 2> nodes;                 // as vertices of the mesh
+    std::vector<int> halfedges; // from the first node to the second
+    std::array<int, 2> nodes;   // as vertices of the mesh
     bool is_feature = false, is_border = false;
-    std::array<int, 2> patch = {{ -1, -1 }};  // on the left and on the right, -1 outside
-    std::array<int, 2> side = {{ -1, -1 }};   // the side of these patches that the arc is a part of
+    std::array<int, 2> patch = { { -1, -1 } }; // on the left and on the right, -1 outside
+    std::array<int, 2> side = { { -1, -1 } };  // the side of these patches that the arc is a part of
 
     int length() const { return static_cast<int>(halfedges.size()); }
   };
@@ -47,23 +47,26 @@ struct Motorcycle_complex
   struct Piece
   {
     int arc;
-    bool forward;                             // the side runs along the arc, else against it
+    bool forward; // the side runs along the arc, else against it
   };
 
   struct Patch
   {
     std::array<std::vector<Piece>, 4> sides;
-    int width = 0, height = 0;                // edges of side 0, of side 1
-    std::vector<int> vertices;                // (i, j) at i + j * (width + 1), i along side 0
+    int width = 0, height = 0; // edges of side 0, of side 1
+    std::vector<int> vertices; // (i, j) at i + j * (width + 1), i along side 0
   };
 
   std::vector<Arc> arcs;
   std::vector<Patch> patches;
-  bool is_valid = true;                       // whether all patches are rectangles
+  bool is_valid = true; // whether all patches are rectangles
 
   Motorcycle_complex(const Indexed_quad_mesh& mesh, const std::vector<char>& is_fixed)
-    : m(mesh), m_rules(make_quad_vertex_rules(mesh, false)), m_wall(mesh.number_of_halfedges(), 0),
-      m_visited(mesh.number_of_vertices(), 0), m_is_node(mesh.number_of_vertices(), 0)
+    : m(mesh)
+    , m_rules(make_quad_vertex_rules(mesh, false))
+    , m_wall(mesh.number_of_halfedges(), 0)
+    , m_visited(mesh.number_of_vertices(), 0)
+    , m_is_node(mesh.number_of_vertices(), 0)
   {
     for(int h = 0; h < m.number_of_halfedges(); ++h)
       if(m.is_border(h) || m.is_feature[h])
@@ -147,7 +150,7 @@ private:
       for(int h : motorcycles)
       {
         if(m_wall[h])
-          continue;             // another one has come the other way
+          continue; // another one has come the other way
         const bool ends = m_visited[m.target(h)] != 0;
         build_wall(h);
         if(!ends)
@@ -208,7 +211,7 @@ private:
     int h = corner;
     for(int k = 0; k < 4; ++k)
     {
-      p.sides[k].assign(1, Piece{ h, true });     // its first halfedge, until there are arcs
+      p.sides[k].assign(1, Piece{ h, true }); // its first halfedge, until there are arcs
       length[k] = 1;
       for(int ahead; (ahead = next_on_side(h)) != -1; h = ahead)
         if(!m_wall[ahead] || ++length[k] > number_of_faces)
@@ -254,7 +257,7 @@ private:
         }
         const int ahead = next_on_side(h);
         if(ahead == -1)
-          m_is_node[m.target(h)] = 1;         // a corner
+          m_is_node[m.target(h)] = 1; // a corner
         else if(m.is_border(h) && m.is_feature[h] != m.is_feature[ahead])
           m_is_node[m.target(h)] = 1;
       }
@@ -267,7 +270,7 @@ private:
       if(m_wall[h] && m_arc[h] == -1 && m_is_node[m.source(h)])
       {
         Arc a;
-        for(int g = h; ; g = next_on_side(g))
+        for(int g = h;; g = next_on_side(g))
         {
           m_arc[g] = static_cast<int>(arcs.size());
           if(!m.is_border(g))
@@ -276,7 +279,7 @@ private:
           if(m_is_node[m.target(g)])
             break;
         }
-        a.nodes = {{ m.source(h), m.target(a.halfedges.back()) }};
+        a.nodes = { { m.source(h), m.target(a.halfedges.back()) } };
         a.is_border = m.is_border(h);
         a.is_feature = m.is_feature[h] && !a.is_border;
         arcs.push_back(std::move(a));
@@ -304,9 +307,9 @@ private:
 
   const Indexed_quad_mesh& m;
   Quad_vertex_rules m_rules;
-  std::vector<char> m_wall;                   // per halfedge
-  std::vector<char> m_visited, m_is_node;     // per vertex
-  std::vector<int> m_arc;                     // per halfedge
+  std::vector<char> m_wall;               // per halfedge
+  std::vector<char> m_visited, m_is_node; // per vertex
+  std::vector<int> m_arc;                 // per halfedge
 };
 
 } // namespace internal

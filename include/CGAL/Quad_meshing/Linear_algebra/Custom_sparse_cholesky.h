@@ -21,11 +21,10 @@ namespace internal {
 
 // A model of `SparseLinearAlgebraWithFactorTraits_d` at work in a `Sparse_cholesky<double>`.
 template <typename SolverTraits>
-class Custom_cholesky_implementation
-  : public Sparse_cholesky_implementation<double>
+class Custom_cholesky_implementation : public Sparse_cholesky_implementation<double>
 {
 public:
-  std::unique_ptr<Sparse_cholesky_implementation<double> > make_another() const override
+  std::unique_ptr<Sparse_cholesky_implementation<double>> make_another() const override
   {
     return std::make_unique<Custom_cholesky_implementation>();
   }
@@ -92,7 +91,7 @@ public:
     }
   }
 
-  std::unique_ptr<Cholesky_factor<double> > factor() const override { return nullptr; }
+  std::unique_ptr<Cholesky_factor<double>> factor() const override { return nullptr; }
 
 private:
   std::unique_ptr<typename SolverTraits::Matrix> m_matrix; // the traits keep a pointer to it
@@ -115,7 +114,7 @@ definite matrices or for all
 template <typename SolverTraits>
 Sparse_cholesky<double> custom_sparse_cholesky()
 {
-  return Sparse_cholesky<double>(std::make_unique<internal::Custom_cholesky_implementation<SolverTraits> >());
+  return Sparse_cholesky<double>(std::make_unique<internal::Custom_cholesky_implementation<SolverTraits>>());
 }
 
 } // namespace Quad_meshing

@@ -63,7 +63,7 @@ public:
   /// writes \f$ B^* A^{-1} B \f$ to `result`, column by column.
   virtual void product_with_inverse(const View& B, Number* result) const = 0;
   /// returns the factor, or nothing if it cannot be had.
-  virtual std::unique_ptr<Cholesky_factor<Number> > factor() const = 0;
+  virtual std::unique_ptr<Cholesky_factor<Number>> factor() const = 0;
 };
 
 /*!
@@ -95,9 +95,9 @@ public:
   /// factorizes with CHOLMOD or Eigen.
   CGAL_QUAD_MESHING_INLINE Sparse_cholesky();
   /// factorizes with something else.
-  explicit Sparse_cholesky(std::unique_ptr<Implementation> implementation)
-    : m_implementation(std::move(implementation))
-  {}
+  explicit Sparse_cholesky(std::unique_ptr<Implementation> implementation) : m_implementation(std::move(implementation))
+  {
+  }
 
   /// returns a new object that works in the same way and knows no matrix.
   Sparse_cholesky make_another() const { return Sparse_cholesky(m_implementation->make_another()); }
@@ -115,7 +115,10 @@ public:
     m_is_analyzed = m_size == 0 || (A.entries() > 0 && m_implementation->analyze(A));
   }
   template <typename EigenSparseMatrix>
-  void analyze(const EigenSparseMatrix& A) { call_with_view(A, [this](const View& view) { analyze(view); }); }
+  void analyze(const EigenSparseMatrix& A)
+  {
+    call_with_view(A, [this](const View& view) { analyze(view); });
+  }
 
   /// returns the number of entries that the factor will have by the pattern last analyzed, 0 if a custom
   /// implementation does not tell.
@@ -222,10 +225,10 @@ public:
 
   /// returns the factor, or nothing if a custom implementation does not give it.
   /// \pre `is_ok()`
-  std::unique_ptr<Cholesky_factor<Number> > factor() const
+  std::unique_ptr<Cholesky_factor<Number>> factor() const
   {
     CGAL_precondition(m_is_ok);
-    return m_size > 0 ? m_implementation->factor() : std::make_unique<Cholesky_factor<Number> >();
+    return m_size > 0 ? m_implementation->factor() : std::make_unique<Cholesky_factor<Number>>();
   }
 
   /// @}
@@ -254,14 +257,14 @@ private:
 
 #ifdef CGAL_QUAD_MESHING_COMPILED_KERNELS
 extern template class Sparse_cholesky<double>;
-extern template class Sparse_cholesky<std::complex<double> >;
+extern template class Sparse_cholesky<std::complex<double>>;
 #endif
 
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Linear_algebra/internal/Sparse_cholesky_impl.h>
+#include <CGAL/Quad_meshing/Linear_algebra/internal/Sparse_cholesky_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_LINEAR_ALGEBRA_SPARSE_CHOLESKY_H

@@ -118,7 +118,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_energy_impl.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Integer_energy_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTEGER_ENERGY_H

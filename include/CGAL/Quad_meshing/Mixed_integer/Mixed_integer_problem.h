@@ -40,7 +40,7 @@ class Mixed_integer_problem
 public:
   /// The non-zero coefficients of a linear form, as pairs of variable and coefficient, in any order.
   /// Several entries of one variable add up.
-  typedef std::vector<std::pair<int, double> > Linear_form;
+  typedef std::vector<std::pair<int, double>> Linear_form;
 
   /// A linear form and the number it is compared with.
   struct Linear_constraint
@@ -54,10 +54,7 @@ public:
 
   /// creates a problem of `n` real variables, zero energy and no constraint.
   explicit Mixed_integer_problem(int n = 0)
-    : m_is_integer(n, 0)
-    , m_lower(n, -infinity())
-    , m_upper(n, infinity())
-    , m_constant(0.)
+    : m_is_integer(n, 0), m_lower(n, -infinity()), m_upper(n, infinity()), m_constant(0.)
   {
     CGAL_precondition(n >= 0);
   }
@@ -180,7 +177,7 @@ public:
   void add_equality_constraint(const Linear_form& form, double rhs)
   {
     CGAL_precondition(is_form(form));
-    m_equalities.push_back(Linear_constraint{form, rhs});
+    m_equalities.push_back(Linear_constraint{ form, rhs });
   }
 
   /// demands `form <= rhs`. Only the branch-and-bound family knows inequality constraints.
@@ -188,7 +185,7 @@ public:
   void add_inequality_constraint(const Linear_form& form, double rhs)
   {
     CGAL_precondition(is_form(form));
-    m_inequalities.push_back(Linear_constraint{form, rhs});
+    m_inequalities.push_back(Linear_constraint{ form, rhs });
   }
 
   const std::vector<Linear_constraint>& equality_constraints() const { return m_equalities; }
@@ -226,7 +223,7 @@ private:
   // The energy is the sum of a matrix given as a whole and of squared residuals.
   Eigen::SparseMatrix<double> m_base;
   Eigen::VectorXd m_base_rhs;
-  std::vector<Eigen::Triplet<double> > m_triplets;
+  std::vector<Eigen::Triplet<double>> m_triplets;
   std::vector<double> m_rhs;
   double m_constant;
 

@@ -118,9 +118,10 @@ struct Mixed_integer_solution
 */
 inline const char* status_name(Mixed_integer_status status)
 {
-  static const char* const names[] = { "optimal", "feasible", "conflicting_constraints", "infeasible",
-                                       "unbounded", "limit_reached", "stopped", "unsupported_problem",
-                                       "numerical_failure" };
+  static const char* const names[] = {
+    "optimal",       "feasible", "conflicting_constraints", "infeasible",       "unbounded",
+    "limit_reached", "stopped",  "unsupported_problem",     "numerical_failure"
+  };
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<int>(Mixed_integer_status::NUMERICAL_FAILURE) + 1,
                 "every status needs a name");
   return names[static_cast<int>(status)];

@@ -52,9 +52,9 @@ enum class Rounding_method
 */
 enum class Subproblem_selection
 {
-  BEST_BOUND,  ///< the smallest lower bound first: the fewest subproblems to a proof
-  DEPTH_FIRST,     ///< the deepest first: soon a feasible solution, little memory
-  BEST_ESTIMATE    ///< the smallest estimate of the best integer solution of a subproblem first
+  BEST_BOUND,   ///< the smallest lower bound first: the fewest subproblems to a proof
+  DEPTH_FIRST,  ///< the deepest first: soon a feasible solution, little memory
+  BEST_ESTIMATE ///< the smallest estimate of the best integer solution of a subproblem first
 };
 
 /*!
@@ -64,8 +64,8 @@ enum class Subproblem_selection
 enum class Branching_rule
 {
   MINIMUM_INFEASIBILITY, ///< the variable nearest to an integer
-  MAXIMUM_INFEASIBILITY,     ///< the variable farthest from an integer
-  PSEUDO_COSTS               ///< the variable whose past branchings raised the bound most
+  MAXIMUM_INFEASIBILITY, ///< the variable farthest from an integer
+  PSEUDO_COSTS           ///< the variable whose past branchings raised the bound most
 };
 
 /*!
@@ -84,9 +84,9 @@ enum class Elimination_order
 */
 inline const char* rounding_method_name(Rounding_method method)
 {
-  static const char* const names[] = { "relaxed", "direct", "naive", "greedy", "lattice",
-                                       "branch-and-bound", "branch-and-cut", "cutting-planes",
-                                       "outer-approximation" };
+  static const char* const names[] = { "relaxed",        "direct",         "naive",
+                                       "greedy",         "lattice",        "branch-and-bound",
+                                       "branch-and-cut", "cutting-planes", "outer-approximation" };
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<int>(Rounding_method::OUTER_APPROXIMATION) + 1,
                 "every rounding method needs a name");
   return names[static_cast<int>(method)];

@@ -75,17 +75,14 @@ inline bool read_matrix_market(std::istream& in, Eigen::SparseMatrix<double>& ma
   if(symmetry != "general" && rows != columns)
     return fail("a symmetric matrix must be square");
 
-  std::vector<Eigen::Triplet<double> > triplets;
+  std::vector<Eigen::Triplet<double>> triplets;
   const auto add = [&](long long i, long long j, double value)
   {
     triplets.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
     if(symmetry != "general" && i != j)
       triplets.emplace_back(static_cast<int>(j), static_cast<int>(i), symmetry == "symmetric" ? value : -value);
   };
-  const auto read_value = [&](double& value)
-  {
-    return static_cast<bool>(in >> value) && std::isfinite(value);
-  };
+  const auto read_value = [&](double& value) { return static_cast<bool>(in >> value) && std::isfinite(value); };
   if(is_array)
     for(long long j = 0; j < columns; ++j)
     {

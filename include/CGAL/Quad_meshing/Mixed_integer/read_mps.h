@@ -111,7 +111,14 @@ private:
   bool number(const std::string& word, double& value)
   {
     std::size_t length = 0;
-    try { value = std::stod(word, &length); } catch(const std::exception&) { length = 0; }
+    try
+    {
+      value = std::stod(word, &length);
+    }
+    catch(const std::exception&)
+    {
+      length = 0;
+    }
     if(length != word.size() || std::isnan(value))
       m_complaint = "'" + word + "' is not a number";
     return m_complaint.empty();
@@ -311,7 +318,7 @@ private:
   std::vector<Row> m_rows;
   std::vector<Column> m_columns;
   std::vector<std::string> m_names;
-  std::vector<Eigen::Triplet<double> > m_products;
+  std::vector<Eigen::Triplet<double>> m_products;
   double m_constant = 0., m_sign = 1.;
   bool m_has_objective = false, m_is_integer = false;
   std::string m_complaint;

@@ -31,7 +31,7 @@ namespace internal {
 template <typename Linear_solver>
 Sparse_cholesky<double> make_linear_solver()
 {
-  if constexpr(std::is_same<Linear_solver, Sparse_cholesky<double> >::value)
+  if constexpr(std::is_same<Linear_solver, Sparse_cholesky<double>>::value)
     return Sparse_cholesky<double>();
   else
     return custom_sparse_cholesky<Linear_solver>();
@@ -105,8 +105,8 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`10`}
   \cgalParamNEnd
   \cgalParamNBegin{allow_refactorization}
-    \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels do not
-                          suffice, and after a tenth of all roundings. Without, it goes on with what these steps have reached.}
+    \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels do
+not suffice, and after a tenth of all roundings. Without, it goes on with what these steps have reached.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -124,16 +124,14 @@ exception is thrown and nothing is printed.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_bound_rounds}
     \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE`
-                          where the enumeration has not proven the optimum. A round adds as many inequalities as there are
-                          integers; six take some seconds with 100 integers, and each step takes time cubic in them.}
-    \cgalParamType{`int`}
+                          where the enumeration has not proven the optimum. A round adds as many inequalities as there
+are integers; six take some seconds with 100 integers, and each step takes time cubic in them.} \cgalParamType{`int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the number of seconds, by the clock on the wall, after which the best solution so far is
-                          returned; `message` then says so. The first factorization and one rounding of all integers are made in
-                          any case. Results that meet this limit depend on the machine.}
-    \cgalParamType{`double`}
+                          returned; `message` then says so. The first factorization and one rounding of all integers are
+made in any case. Results that meet this limit depend on the machine.} \cgalParamType{`double`}
     \cgalParamDefault{unlimited}
   \cgalParamNEnd
   \cgalParamNBegin{relative_gap_tolerance}
@@ -169,60 +167,57 @@ Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
   using parameters::get_parameter_reference;
 
   constexpr bool takes_parameters = internal::Takes_parameters<
-      NamedParameters, internal_np::rounding_method_t, internal_np::sparse_linear_solver_t,
-      internal_np::elimination_order_t, internal_np::constraint_tolerance_t, internal_np::rounding_tolerance_t,
-      internal_np::gauss_seidel_iterations_t, internal_np::conjugate_gradient_iterations_t,
-      internal_np::allow_refactorization_t, internal_np::simultaneous_rounding_t, internal_np::maximum_dense_integers_t,
-      internal_np::maximum_number_of_nodes_t, internal_np::number_of_bound_rounds_t,
-      internal_np::maximum_running_time_t, internal_np::relative_gap_tolerance_t, internal_np::subproblem_selection_t,
-      internal_np::branching_rule_t, internal_np::visitor_t>::value;
+    NamedParameters, internal_np::rounding_method_t, internal_np::sparse_linear_solver_t,
+    internal_np::elimination_order_t, internal_np::constraint_tolerance_t, internal_np::rounding_tolerance_t,
+    internal_np::gauss_seidel_iterations_t, internal_np::conjugate_gradient_iterations_t,
+    internal_np::allow_refactorization_t, internal_np::simultaneous_rounding_t, internal_np::maximum_dense_integers_t,
+    internal_np::maximum_number_of_nodes_t, internal_np::number_of_bound_rounds_t, internal_np::maximum_running_time_t,
+    internal_np::relative_gap_tolerance_t, internal_np::subproblem_selection_t, internal_np::branching_rule_t,
+    internal_np::visitor_t>::value;
   static_assert(takes_parameters, "solve_mixed_integer() does not take one of the named parameters.");
 
-  typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t,
-                                                       NamedParameters,
-                                                       Sparse_cholesky<double> >::type Linear_solver;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t,
-                                                       NamedParameters,
-                                                       Default_visitor>::reference Visitor_reference;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t, NamedParameters,
+                                                       Sparse_cholesky<double>>::type Linear_solver;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
 
   Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor),
-                                               default_visitor);
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
   internal::Solver_options options;
-  options.method = choose_parameter(get_parameter(np, internal_np::rounding_method),
-                                    problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND
-                                                               : Rounding_method::GREEDY);
+  options.method =
+    choose_parameter(get_parameter(np, internal_np::rounding_method),
+                     problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND : Rounding_method::GREEDY);
   options.elimination_order =
-      choose_parameter(get_parameter(np, internal_np::elimination_order), options.elimination_order);
-  options.constraint_tolerance = choose_parameter(get_parameter(np, internal_np::constraint_tolerance),
-                                                  options.constraint_tolerance);
-  options.rounding_tolerance = choose_parameter(get_parameter(np, internal_np::rounding_tolerance),
-                                                options.rounding_tolerance);
-  options.gauss_seidel_iterations = choose_parameter(get_parameter(np, internal_np::gauss_seidel_iterations),
-                                                     options.gauss_seidel_iterations);
+    choose_parameter(get_parameter(np, internal_np::elimination_order), options.elimination_order);
+  options.constraint_tolerance =
+    choose_parameter(get_parameter(np, internal_np::constraint_tolerance), options.constraint_tolerance);
+  options.rounding_tolerance =
+    choose_parameter(get_parameter(np, internal_np::rounding_tolerance), options.rounding_tolerance);
+  options.gauss_seidel_iterations =
+    choose_parameter(get_parameter(np, internal_np::gauss_seidel_iterations), options.gauss_seidel_iterations);
   options.conjugate_gradient_iterations = choose_parameter(
     get_parameter(np, internal_np::conjugate_gradient_iterations), options.conjugate_gradient_iterations);
-  options.allow_refactorization = choose_parameter(get_parameter(np, internal_np::allow_refactorization),
-                                                   options.allow_refactorization);
-  options.simultaneous_rounding = choose_parameter(get_parameter(np, internal_np::simultaneous_rounding),
-                                                   options.simultaneous_rounding);
-  options.maximum_dense_integers = choose_parameter(get_parameter(np, internal_np::maximum_dense_integers),
-                                                    options.maximum_dense_integers);
-  options.maximum_number_of_nodes = choose_parameter(get_parameter(np, internal_np::maximum_number_of_nodes),
-                                                     options.maximum_number_of_nodes);
-  options.number_of_bound_rounds = choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds),
-                                                    options.number_of_bound_rounds);
-  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                                  options.maximum_running_time);
-  options.relative_gap_tolerance = choose_parameter(get_parameter(np, internal_np::relative_gap_tolerance),
-                                                    options.relative_gap_tolerance);
-  options.subproblem_selection = choose_parameter(get_parameter(np, internal_np::subproblem_selection),
-                                                  options.subproblem_selection);
-  options.branching_rule = choose_parameter(get_parameter(np, internal_np::branching_rule),
-                                            options.branching_rule);
+  options.allow_refactorization =
+    choose_parameter(get_parameter(np, internal_np::allow_refactorization), options.allow_refactorization);
+  options.simultaneous_rounding =
+    choose_parameter(get_parameter(np, internal_np::simultaneous_rounding), options.simultaneous_rounding);
+  options.maximum_dense_integers =
+    choose_parameter(get_parameter(np, internal_np::maximum_dense_integers), options.maximum_dense_integers);
+  options.maximum_number_of_nodes =
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_nodes), options.maximum_number_of_nodes);
+  options.number_of_bound_rounds =
+    choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds), options.number_of_bound_rounds);
+  options.maximum_running_time =
+    choose_parameter(get_parameter(np, internal_np::maximum_running_time), options.maximum_running_time);
+  options.relative_gap_tolerance =
+    choose_parameter(get_parameter(np, internal_np::relative_gap_tolerance), options.relative_gap_tolerance);
+  options.subproblem_selection =
+    choose_parameter(get_parameter(np, internal_np::subproblem_selection), options.subproblem_selection);
+  options.branching_rule = choose_parameter(get_parameter(np, internal_np::branching_rule), options.branching_rule);
 
-  internal::Visitor_adaptor<std::remove_reference_t<Visitor_reference> > any_visitor(visitor);
+  internal::Visitor_adaptor<std::remove_reference_t<Visitor_reference>> any_visitor(visitor);
   return internal::solve_mixed_integer_kernel(problem, options, internal::make_linear_solver<Linear_solver>(),
                                               any_visitor);
 }

@@ -27,7 +27,8 @@ enum class Integer_grid_map_status
   FOLDED,              ///< all transitions, grid points and grid lines are exact, but some triangles are folded over
   EMPTY_MESH,          ///< there are no faces; nothing was written
   NOT_A_TRIANGLE_MESH, ///< a face has not three vertices; nothing was written
-  NON_MANIFOLD_VERTEX, ///< the faces around a vertex form more than one fan, the message says which; nothing was written
+  NON_MANIFOLD_VERTEX, ///< the faces around a vertex form more than one fan, the message says which; nothing was
+                       ///< written
   VALUE_NOT_FINITE,    ///< a coordinate of a point or an angle of the field is not a finite number; nothing was written
   INVALID_LENGTH,      ///< the target edge length is not a positive number; nothing was written
   NUMERICAL_FAILURE,   ///< the energy could not be factorized; nothing was written
@@ -43,15 +44,15 @@ inline const char* status_name(Integer_grid_map_status status)
 {
   switch(status)
   {
-    case Integer_grid_map_status::VALID:               return "valid";
-    case Integer_grid_map_status::FOLDED:              return "folded";
-    case Integer_grid_map_status::EMPTY_MESH:          return "empty_mesh";
+    case Integer_grid_map_status::VALID: return "valid";
+    case Integer_grid_map_status::FOLDED: return "folded";
+    case Integer_grid_map_status::EMPTY_MESH: return "empty_mesh";
     case Integer_grid_map_status::NOT_A_TRIANGLE_MESH: return "not_a_triangle_mesh";
     case Integer_grid_map_status::NON_MANIFOLD_VERTEX: return "non_manifold_vertex";
-    case Integer_grid_map_status::VALUE_NOT_FINITE:    return "value_not_finite";
-    case Integer_grid_map_status::INVALID_LENGTH:      return "invalid_length";
-    case Integer_grid_map_status::NUMERICAL_FAILURE:   return "numerical_failure";
-    case Integer_grid_map_status::STOPPED:             return "stopped";
+    case Integer_grid_map_status::VALUE_NOT_FINITE: return "value_not_finite";
+    case Integer_grid_map_status::INVALID_LENGTH: return "invalid_length";
+    case Integer_grid_map_status::NUMERICAL_FAILURE: return "numerical_failure";
+    case Integer_grid_map_status::STOPPED: return "stopped";
   }
   return "";
 }

@@ -131,9 +131,9 @@ face
 */
 template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
           typename HalfedgeUVMap, typename NamedParameters = parameters::Default_named_parameters>
-Integer_grid_map_result
-integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, VertexSingularityMap index,
-                 HalfedgeUVMap uv, const NamedParameters& np = parameters::default_values())
+Integer_grid_map_result integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump,
+                                         VertexSingularityMap index, HalfedgeUVMap uv,
+                                         const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -145,14 +145,15 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef Integer_grid_map_status Status;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-    Visitor_reference;
+  typedef
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      Visitor_reference;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters,
-    internal_np::target_edge_length_t, internal_np::face_sizing_map_t, internal_np::edge_is_constrained_t,
-    internal_np::align_boundary_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
-    internal_np::stiffening_iterations_t, internal_np::number_of_threads_t, internal_np::visitor_t,
-    internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+  constexpr bool takes_parameters = internal::Takes_parameters<
+    NamedParameters, internal_np::target_edge_length_t, internal_np::face_sizing_map_t,
+    internal_np::edge_is_constrained_t, internal_np::align_boundary_t, internal_np::rounding_method_t,
+    internal_np::anisotropy_weight_t, internal_np::stiffening_iterations_t, internal_np::number_of_threads_t,
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "integer_grid_map() does not take one of the named parameters.");
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -174,10 +175,12 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
 
   internal::Grid_map_options options;
   options.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), options.rounding_method);
-  options.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), options.anisotropy_weight);
-  options.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), options.number_of_threads);
-  options.stiffening_iterations = choose_parameter(get_parameter(np, internal_np::stiffening_iterations),
-                                                   options.stiffening_iterations);
+  options.anisotropy_weight =
+    choose_parameter(get_parameter(np, internal_np::anisotropy_weight), options.anisotropy_weight);
+  options.number_of_threads =
+    choose_parameter(get_parameter(np, internal_np::number_of_threads), options.number_of_threads);
+  options.stiffening_iterations =
+    choose_parameter(get_parameter(np, internal_np::stiffening_iterations), options.stiffening_iterations);
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
   auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                          Static_boolean_property_map<edge_descriptor, false>());
@@ -222,8 +225,9 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
     if(!(problem.sizing[i] > 0) || !std::isfinite(problem.sizing[i]))
       return finished(Status::INVALID_LENGTH, "The target edge length is not a positive number.");
   }
-  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i)
-  {
+  internal::for_each_edge_of_faces(tm,
+                                   [&](edge_descriptor e, int i)
+                                   {
     problem.period_jump[i] = get(period_jump, e);
     problem.is_aligned[i] = get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
   });
@@ -235,7 +239,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   }
 
   internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
-  std::vector<std::array<double, 2> > corner;
+  std::vector<std::array<double, 2>> corner;
   const Status status = internal::solve_grid_map(problem, options, any_visitor, corner, result);
   if(status == Status::STOPPED)
     return finished(status, "The visitor stopped the parameterization.");
@@ -252,7 +256,7 @@ integer_grid_map(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap p
   if(status == Status::VALID)
     return finished(status, "The map is an integer-grid map.");
   return finished(status, std::to_string(result.folded_faces.size()) + " of " + std::to_string(mesh.number_of_faces()) +
-                          " triangles of the map are folded over.");
+                            " triangles of the map are folded over.");
 }
 
 } // namespace Quad_meshing

@@ -133,8 +133,8 @@ A vertex inside the surface is singular if the number of grid directions that le
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Integer_grid_map_report<TriangleMesh>
-is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParameters& np = parameters::default_values())
+Integer_grid_map_report<TriangleMesh> is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv,
+                                                          const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -144,9 +144,10 @@ is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParamet
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<NamedParameters, internal_np::align_boundary_t,
-    internal_np::edge_is_constrained_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-    internal_np::face_index_t>::value;
+  constexpr bool takes_parameters =
+    internal::Takes_parameters<NamedParameters, internal_np::align_boundary_t, internal_np::edge_is_constrained_t,
+                               internal_np::vertex_point_t, internal_np::vertex_index_t,
+                               internal_np::face_index_t>::value;
   static_assert(takes_parameters, "is_integer_grid_map() does not take one of the named parameters.");
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -162,8 +163,9 @@ is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParamet
   const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
   std::vector<bool> is_aligned(mesh.number_of_edges());
   std::vector<edge_descriptor> edge_of_number(mesh.number_of_edges());
-  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i)
-  {
+  internal::for_each_edge_of_faces(tm,
+                                   [&](edge_descriptor e, int i)
+                                   {
     edge_of_number[i] = e;
     is_aligned[i] = get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
   });
@@ -174,7 +176,8 @@ is_integer_grid_map(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParamet
   for(face_descriptor f : faces(tm))
     face_of_number[get(fim, f)] = f;
 
-  const internal::Grid_map_defects defects = internal::check_grid_map(mesh, internal::copy_corners(tm, uv, fim), is_aligned);
+  const internal::Grid_map_defects defects =
+    internal::check_grid_map(mesh, internal::copy_corners(tm, uv, fim), is_aligned);
   Integer_grid_map_report<TriangleMesh> report;
   auto translate = [](const std::vector<int>& numbers, const auto& descriptor_of, auto& descriptors)
   {

@@ -63,14 +63,9 @@ std::size_t split_for_alignment(TriangleMesh& tm, VertexPointMap vpm, EdgeIsFeat
 
   std::size_t number_of_splits = 0;
 
-  auto on_feature = [&](edge_descriptor e)
-  {
-    return get(is_feature, e) || (border_is_feature && is_border(e, tm));
-  };
+  auto on_feature = [&](edge_descriptor e) { return get(is_feature, e) || (border_is_feature && is_border(e, tm)); };
   auto squared_length = [&](edge_descriptor e)
-  {
-    return to_double(squared_distance(get(vpm, source(e, tm)), get(vpm, target(e, tm))));
-  };
+  { return to_double(squared_distance(get(vpm, source(e, tm)), get(vpm, target(e, tm)))); };
   auto split = [&](edge_descriptor e)
   {
     const bool feature = get(is_feature, e);
@@ -98,9 +93,7 @@ std::size_t split_for_alignment(TriangleMesh& tm, VertexPointMap vpm, EdgeIsFeat
   {
     typedef std::pair<double, edge_descriptor> Entry;
     auto shorter = [](const Entry& a, const Entry& b)
-    {
-      return a.first < b.first || (a.first == b.first && b.second < a.second);
-    };
+    { return a.first < b.first || (a.first == b.first && b.second < a.second); };
     std::priority_queue<Entry, std::vector<Entry>, decltype(shorter)> queue(shorter);
     const double limit = longest_edge * longest_edge;
     for(edge_descriptor e : edges(tm))

@@ -55,12 +55,12 @@ struct Grid_map_situation
 
   /// \name The Best Attempt So Far
   /// @{
-  bool has_attempt = false;                ///< whether there is one; the members below have no meaning else
-  std::size_t folded_triangles = 0;        ///< of its map
-  std::size_t folded_before_rounding = 0;  ///< of its seamless map, before integers were chosen
-  bool is_simple = true;                   ///< whether its quads form a mesh, if no triangle is folded
-  std::size_t quads = 0;                   ///< of its mesh, if no triangle is folded
-  double relative_length = 1;              ///< of its plan
+  bool has_attempt = false;               ///< whether there is one; the members below have no meaning else
+  std::size_t folded_triangles = 0;       ///< of its map
+  std::size_t folded_before_rounding = 0; ///< of its seamless map, before integers were chosen
+  bool is_simple = true;                  ///< whether its quads form a mesh, if no triangle is folded
+  std::size_t quads = 0;                  ///< of its mesh, if no triangle is folded
+  double relative_length = 1;             ///< of its plan
   Cross_field_method method = Cross_field_method::POLISHED; ///< of its field
   /// @}
 };
@@ -84,9 +84,12 @@ struct Grid_map_plan_rule
 \brief returns the rules that `quadrangulate()` follows.
 
 - "as requested": the field and the length that were asked for.
-- "other length": the same field for another length, drawn by the random seed, where the integers are to blame for folded triangles.
-- "other field": a field whose singularities lie elsewhere: of `REPRESENTATION` if `POLISHED` was asked for, else of `POLISHED`.
-- "release within 2", "release within 4", "release within 8": without the detected feature edges that are this near to folded triangles.
+- "other length": the same field for another length, drawn by the random seed, where the integers are to blame for
+folded triangles.
+- "other field": a field whose singularities lie elsewhere: of `REPRESENTATION` if `POLISHED` was asked for, else of
+`POLISHED`.
+- "release within 2", "release within 4", "release within 8": without the detected feature edges that are this near to
+folded triangles.
 - "finer", "still finer": where the map has no folded triangle, but its grid is too coarse for a mesh.
 - "nearer number", "still nearer number": another length where the number of quads is far from the one asked for.
 */
@@ -96,7 +99,7 @@ CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans(
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_plan_impl.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_plan_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_PIPELINE_GRID_MAP_PLAN_H

@@ -46,7 +46,8 @@ public:
   /// what is asked for; may be changed between runs
   Quadrangulation_options options;
 
-  /// copies a triangle mesh. The face of number `i` in `faces(tm)` is the origin `i` of the faces that it is split into.
+  /// copies a triangle mesh. The face of number `i` in `faces(tm)` is the origin `i` of the faces that it is split
+  /// into.
   ///
   /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` with a 3D point as value type
@@ -56,7 +57,8 @@ public:
     : m_input(internal::triangle_input(tm, vpm))
     , m_surface(std::make_unique<Quadrangulation_surface>())
     , m_quads(std::make_unique<Quadrangulation_quads>())
-  {}
+  {
+  }
 
   /// says which edges of the triangle mesh are feature edges; none are detected then, and none are dropped.
   template <typename TriangleMesh, typename EdgeIsFeatureMap>
@@ -65,7 +67,8 @@ public:
     internal::set_features(tm, edge_is_feature, m_input);
   }
 
-  /// gives the field directions in some faces. The value type of the map is an optional vector: `std::optional` or `boost::optional`.
+  /// gives the field directions in some faces. The value type of the map is an optional vector: `std::optional` or
+  /// `boost::optional`.
   template <typename TriangleMesh, typename FaceDirectionMap>
   void set_directions(const TriangleMesh& tm, FaceDirectionMap face_direction)
   {
@@ -94,7 +97,7 @@ public:
   const Quadrangulation_quads& quads() const { return *m_quads; }
 
   /// returns where a vertex of the quad mesh lies on the input: the number of a face, and the weights of its corners.
-  std::pair<std::size_t, std::array<double, 3> > location_on_input(Mesh::Vertex_index v) const
+  std::pair<std::size_t, std::array<double, 3>> location_on_input(Mesh::Vertex_index v) const
   {
     return internal::locate_on_input(m_input, *m_surface, m_quads->location[v]);
   }

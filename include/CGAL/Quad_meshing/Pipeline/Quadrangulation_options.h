@@ -35,11 +35,11 @@ struct Quadrangulation_options
   /// How much the quads follow the directions in which the surface bends least (`curvature_directions()`), from 0 to 1.
   double curvature_alignment = 1;
   Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen
-  double anisotropy_weight = 1;    ///< the weight of lengths against directions, in (0, 1]
-  bool optimize_structure = false; ///< whether `optimize_quad_structure()` makes the base complex coarser
+  double anisotropy_weight = 1;                              ///< the weight of lengths against directions, in (0, 1]
+  bool optimize_structure = false;        ///< whether `optimize_quad_structure()` makes the base complex coarser
   unsigned int smoothing_iterations = 20; ///< largest number of steps of the final smoothing; 0 smooths nothing
-  unsigned int number_of_threads = 1; ///< that may work at the same time; the result does not depend on it
-  unsigned int random_seed = 0;       ///< of the plan "other length"
+  unsigned int number_of_threads = 1;     ///< that may work at the same time; the result does not depend on it
+  unsigned int random_seed = 0;           ///< of the plan "other length"
   /// In seconds of wall-clock time. The best mesh that was found until then is the result, if there is one.
   double maximum_running_time = (std::numeric_limits<double>::infinity)();
   /// What is tried, in this order, until a map is without fold-overs and the mesh as asked for.

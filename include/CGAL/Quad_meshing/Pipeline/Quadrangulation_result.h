@@ -33,12 +33,12 @@ inline const char* status_name(Quadrangulation_status status)
 {
   switch(status)
   {
-    case Quadrangulation_status::VALID:         return "valid";
-    case Quadrangulation_status::NOT_VALID:     return "not_valid";
-    case Quadrangulation_status::FAILED:        return "failed";
+    case Quadrangulation_status::VALID: return "valid";
+    case Quadrangulation_status::NOT_VALID: return "not_valid";
+    case Quadrangulation_status::FAILED: return "failed";
     case Quadrangulation_status::INVALID_INPUT: return "invalid_input";
-    case Quadrangulation_status::STOPPED:       return "stopped";
-    case Quadrangulation_status::OUT_OF_TIME:   return "out_of_time";
+    case Quadrangulation_status::STOPPED: return "stopped";
+    case Quadrangulation_status::OUT_OF_TIME: return "out_of_time";
   }
   return "";
 }
@@ -48,7 +48,8 @@ inline const char* status_name(Quadrangulation_status status)
 
 \brief The answer of `quadrangulate()`: what became of the mesh, and the figures of all stages.
 
-Figures of stages are sums over the components, and those of the attempts that were taken; times are those of all attempts.
+Figures of stages are sums over the components, and those of the attempts that were taken; times are those of all
+attempts.
 */
 struct Quadrangulation_result
 {
@@ -58,20 +59,22 @@ struct Quadrangulation_result
 
   std::size_t input_faces = 0;
   std::size_t components = 0;
-  std::size_t failed_components = 0;        ///< of which there is no mesh
-  std::size_t divided_vertices = 0;         ///< vertices in which borders touch; each fan of triangles has one of its own
+  std::size_t failed_components = 0; ///< of which there is no mesh
+  std::size_t divided_vertices = 0;  ///< vertices in which borders touch; each fan of triangles has one of its own
 
-  /// The edge length that was used, in the unit of the points; that of the largest component, if it differs between them.
+  /// The edge length that was used, in the unit of the points; that of the largest component, if it differs between
+  /// them.
   double target_edge_length = 0;
   /// How many components got shorter edges than that, as they had no room for a mesh else.
   std::size_t refined_components = 0;
-  std::size_t feature_edges = 0;            ///< sharp edges of the input that were kept
-  std::size_t dropped_feature_edges = 0;    ///< sharp edges that were taken for noise
-  /// The part, from 0 to 1, of the length of the `feature_edges` that was not followed, as no map without fold-overs could do so.
+  std::size_t feature_edges = 0;         ///< sharp edges of the input that were kept
+  std::size_t dropped_feature_edges = 0; ///< sharp edges that were taken for noise
+  /// The part, from 0 to 1, of the length of the `feature_edges` that was not followed, as no map without fold-overs
+  /// could do so.
   double released_feature_share = 0;
-  std::size_t prepared_faces = 0;           ///< triangles after edges were split
+  std::size_t prepared_faces = 0; ///< triangles after edges were split
 
-  int singularities = 0;                    ///< vertices of the field with an index other than zero
+  int singularities = 0; ///< vertices of the field with an index other than zero
   int field_integers = 0;
   double field_energy = 0;
   double field_seconds = 0;
@@ -80,17 +83,17 @@ struct Quadrangulation_result
   double parameterization_energy = 0;
   double relaxed_parameterization_energy = 0;
   double parameterization_seconds = 0;
-  int parameterization_attempts = 0;        ///< maps that were computed
-  std::size_t flipped_triangles = 0;        ///< of the map that was taken
+  int parameterization_attempts = 0; ///< maps that were computed
+  std::size_t flipped_triangles = 0; ///< of the map that was taken
 
   std::size_t quads = 0;
   std::size_t other_faces = 0;
   std::size_t irregular_vertices = 0;
   double extraction_seconds = 0;
 
-  std::size_t folded_quads = 0;             ///< after the smoothing
+  std::size_t folded_quads = 0; ///< after the smoothing
   double smoothing_seconds = 0;
-  double structure_seconds = 0;             ///< of the optimization of the structure, its smoothing included
+  double structure_seconds = 0; ///< of the optimization of the structure, its smoothing included
 
   double total_seconds = 0;
 

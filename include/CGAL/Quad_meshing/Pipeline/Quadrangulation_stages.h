@@ -40,11 +40,11 @@ struct Quadrangulation_surface
   typedef Quadrangulation_mesh Mesh;
 
   Mesh mesh;
-  Mesh::Property_map<Mesh::Face_index, std::size_t> origin;  ///< the number of the input face that a face lies in
-  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;     ///< the feature edges that the quads follow
-  Mesh::Property_map<Mesh::Face_index, double> angle;        ///< the cross field
-  Mesh::Property_map<Mesh::Edge_index, int> period_jump;     ///< the cross field
-  Mesh::Property_map<Mesh::Vertex_index, int> index;         ///< the singularities of the cross field, in quarters
+  Mesh::Property_map<Mesh::Face_index, std::size_t> origin; ///< the number of the input face that a face lies in
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;    ///< the feature edges that the quads follow
+  Mesh::Property_map<Mesh::Face_index, double> angle;       ///< the cross field
+  Mesh::Property_map<Mesh::Edge_index, int> period_jump;    ///< the cross field
+  Mesh::Property_map<Mesh::Vertex_index, int> index;        ///< the singularities of the cross field, in quarters
   Mesh::Property_map<Mesh::Halfedge_index, Quadrangulation_kernel::Point_2> uv; ///< the integer-grid map
 
   /// makes an empty surface.
@@ -55,7 +55,8 @@ struct Quadrangulation_surface
     , period_jump(mesh.add_property_map<Mesh::Edge_index, int>("e:period_jump", 0).first)
     , index(mesh.add_property_map<Mesh::Vertex_index, int>("v:index", 0).first)
     , uv(mesh.add_property_map<Mesh::Halfedge_index, Quadrangulation_kernel::Point_2>("h:uv").first)
-  {}
+  {
+  }
 
   Quadrangulation_surface(const Quadrangulation_surface&) = delete; // its maps belong to its mesh
   Quadrangulation_surface& operator=(const Quadrangulation_surface&) = delete;
@@ -70,7 +71,7 @@ struct Quadrangulation_quads
 {
   typedef Quadrangulation_mesh Mesh;
   /// a face of the triangles and the weights of its corners, as `Polygon_mesh_processing::Face_location`
-  typedef std::pair<Mesh::Face_index, std::array<double, 3> > Location;
+  typedef std::pair<Mesh::Face_index, std::array<double, 3>> Location;
 
   Mesh mesh;
   Mesh::Property_map<Mesh::Vertex_index, Location> location; ///< where its vertices lie on the triangles
@@ -80,7 +81,8 @@ struct Quadrangulation_quads
   Quadrangulation_quads()
     : location(mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first)
     , is_feature(mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first)
-  {}
+  {
+  }
 
   Quadrangulation_quads(const Quadrangulation_quads&) = delete; // its maps belong to its mesh
   Quadrangulation_quads& operator=(const Quadrangulation_quads&) = delete;

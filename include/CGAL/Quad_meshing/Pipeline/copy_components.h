@@ -32,9 +32,9 @@ namespace Quad_meshing {
 */
 struct Component_copies
 {
-  std::vector<std::unique_ptr<Quadrangulation_surface> > surfaces; ///< one per component
+  std::vector<std::unique_ptr<Quadrangulation_surface>> surfaces; ///< one per component
   std::size_t divided_vertices = 0; ///< vertices in which borders touch; each fan of triangles has one of its own
-  std::string message;              ///< what keeps the triangles from being a surface, as a sentence; empty if nothing does
+  std::string message; ///< what keeps the triangles from being a surface, as a sentence; empty if nothing does
 
   /// returns whether there is a surface.
   bool is_valid() const { return message.empty(); }
@@ -51,8 +51,8 @@ CGAL_QUAD_MESHING_INLINE Component_copies copy_components(const Triangle_input& 
 
 \brief copies each component of a triangle mesh to a mesh of its own: the first stage of `quadrangulate()`.
 
-Vertices and faces of the copies are numbered by their places in space, along a Z-curve, so that the numbers of the input do not matter and
-what lies close together is close in memory. A vertex in which borders touch is divided.
+Vertices and faces of the copies are numbered by their places in space, along a Z-curve, so that the numbers of the
+input do not matter and what lies close together is close in memory. A vertex in which borders touch is divided.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -72,8 +72,8 @@ what lies close together is close in memory. A vertex in which borders touch is 
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the copies, with the numbers of the input faces and the feature edges; if two vertices are joined by several edges, a message that
-        names them
+\return the copies, with the numbers of the input faces and the feature edges; if two vertices are joined by several
+edges, a message that names them
 
 \pre `is_triangle_mesh(tm)`
 */
@@ -84,8 +84,9 @@ Component_copies copy_components(const TriangleMesh& tm, const NamedParameters& 
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
-  static_assert(internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::vertex_point_t>::value,
-                "copy_components() takes edge_is_constrained_map and vertex_point_map.");
+  static_assert(
+    internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::vertex_point_t>::value,
+    "copy_components() takes edge_is_constrained_map and vertex_point_map.");
   CGAL_precondition(is_triangle_mesh(tm));
 
   internal::Triangle_input input = internal::triangle_input(
@@ -99,7 +100,7 @@ Component_copies copy_components(const TriangleMesh& tm, const NamedParameters& 
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Pipeline/internal/copy_components_impl.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/copy_components_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_PIPELINE_COPY_COMPONENTS_H

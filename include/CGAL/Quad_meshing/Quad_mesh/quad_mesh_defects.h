@@ -28,15 +28,15 @@ namespace Quad_meshing {
  */
 struct Quad_mesh_defects
 {
-  std::size_t faces = 0;                      ///< number of faces in all
-  std::size_t faces_not_quads = 0;            ///< faces with another number of corners than four
-  std::size_t faces_repeating_vertices = 0;   ///< faces that use a vertex twice
-  std::size_t invalid_indices = 0;            ///< corners that name a vertex that does not exist
-  std::size_t invalid_coordinates = 0;        ///< vertices with a coordinate that is not finite
-  std::size_t non_manifold_edges = 0;         ///< edges with more than two faces
-  std::size_t inconsistent_edges = 0;         ///< edges whose two faces have opposite orientations
-  std::size_t non_manifold_vertices = 0;      ///< vertices whose faces are not a single fan
-  std::size_t isolated_vertices = 0;          ///< vertices without a face
+  std::size_t faces = 0;                    ///< number of faces in all
+  std::size_t faces_not_quads = 0;          ///< faces with another number of corners than four
+  std::size_t faces_repeating_vertices = 0; ///< faces that use a vertex twice
+  std::size_t invalid_indices = 0;          ///< corners that name a vertex that does not exist
+  std::size_t invalid_coordinates = 0;      ///< vertices with a coordinate that is not finite
+  std::size_t non_manifold_edges = 0;       ///< edges with more than two faces
+  std::size_t inconsistent_edges = 0;       ///< edges whose two faces have opposite orientations
+  std::size_t non_manifold_vertices = 0;    ///< vertices whose faces are not a single fan
+  std::size_t isolated_vertices = 0;        ///< vertices without a face
 
   /// returns whether there are faces and none of the defects, isolated vertices aside.
   bool is_pure_quad_mesh() const { return faces > 0 && reasons().empty(); }
@@ -54,11 +54,14 @@ struct Quad_mesh_defects
       list.push_back("there are no faces");
     say(faces_not_quads, " face is not a quad", " faces are not quads");
     say(invalid_indices, " corner names a vertex that does not exist", " corners name vertices that do not exist");
-    say(invalid_coordinates, " vertex has a coordinate that is not finite", " vertices have coordinates that are not finite");
+    say(invalid_coordinates, " vertex has a coordinate that is not finite",
+        " vertices have coordinates that are not finite");
     say(faces_repeating_vertices, " face uses a vertex twice", " faces use a vertex twice");
     say(non_manifold_edges, " edge has more than two faces", " edges have more than two faces");
-    say(inconsistent_edges, " edge lies between faces of opposite orientation", " edges lie between faces of opposite orientation");
-    say(non_manifold_vertices, " vertex has faces that are not a single fan", " vertices have faces that are not a single fan");
+    say(inconsistent_edges, " edge lies between faces of opposite orientation",
+        " edges lie between faces of opposite orientation");
+    say(non_manifold_vertices, " vertex has faces that are not a single fan",
+        " vertices have faces that are not a single fan");
     return list;
   }
 };
@@ -69,9 +72,9 @@ namespace internal {
 struct Flat_polygons
 {
   std::size_t number_of_points = 0;
-  std::size_t invalid_coordinates = 0;                  // points with a coordinate that is not finite
+  std::size_t invalid_coordinates = 0; // points with a coordinate that is not finite
   std::vector<std::size_t> vertex_of_corner;
-  std::vector<std::size_t> first_corner = { 0 };        // per polygon, and the number of corners at the end
+  std::vector<std::size_t> first_corner = { 0 }; // per polygon, and the number of corners at the end
 };
 
 CGAL_QUAD_MESHING_INLINE Quad_mesh_defects defects_of_polygons(const Flat_polygons& polygons);
@@ -113,7 +116,7 @@ Quad_mesh_defects find_quad_mesh_defects(const PointRange& points, const Polygon
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_defects_impl.h>
+#include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_defects_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEFECTS_H

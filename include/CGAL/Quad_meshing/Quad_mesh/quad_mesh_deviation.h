@@ -31,22 +31,22 @@ namespace Quad_meshing {
  */
 struct Quad_mesh_deviation
 {
-  double quads_to_reference_max = 0;    ///< largest distance of a vertex, edge midpoint or centre of a quad
-  double quads_to_reference_rms = 0;    ///< root mean square of these distances
-  double reference_to_quads_max = 0;    ///< largest distance of a vertex or centroid of the reference
-  double reference_to_quads_rms = 0;    ///< root mean square of these distances
-  double opposed_quads = 0;             ///< share of the quads whose normal is opposed to the reference
-  double feature_length = 0;            ///< length of the feature edges, in mean quad edges
-  double features_kept = 1;             ///< share of that length that lies on quad edges
-  double boundary_length = 0;           ///< length of the boundary, in mean quad edges
-  double boundary_kept = 1;             ///< share of that length that lies on boundary edges of the quads
+  double quads_to_reference_max = 0; ///< largest distance of a vertex, edge midpoint or centre of a quad
+  double quads_to_reference_rms = 0; ///< root mean square of these distances
+  double reference_to_quads_max = 0; ///< largest distance of a vertex or centroid of the reference
+  double reference_to_quads_rms = 0; ///< root mean square of these distances
+  double opposed_quads = 0;          ///< share of the quads whose normal is opposed to the reference
+  double feature_length = 0;         ///< length of the feature edges, in mean quad edges
+  double features_kept = 1;          ///< share of that length that lies on quad edges
+  double boundary_length = 0;        ///< length of the boundary, in mean quad edges
+  double boundary_kept = 1;          ///< share of that length that lies on boundary edges of the quads
 };
 
 namespace internal {
 
 // Both have faces, the reference one of positive area.
-CGAL_QUAD_MESHING_INLINE Quad_mesh_deviation
-deviation_of_quad_mesh(const Indexed_quad_mesh& m, const Indexed_reference& reference);
+CGAL_QUAD_MESHING_INLINE Quad_mesh_deviation deviation_of_quad_mesh(const Indexed_quad_mesh& m,
+                                                                    const Indexed_reference& reference);
 
 } // namespace internal
 
@@ -69,13 +69,11 @@ deviation_of_quad_mesh(const Indexed_quad_mesh& m, const Indexed_reference& refe
  * \pre `CGAL::is_quad_mesh(qm)` and `CGAL::is_triangle_mesh(tm)`; both have faces, `tm` one of positive
  *      area; no vertex is non-manifold
  */
-template <typename QuadMesh, typename TriangleMesh,
-          typename NamedParametersQM = parameters::Default_named_parameters,
+template <typename QuadMesh, typename TriangleMesh, typename NamedParametersQM = parameters::Default_named_parameters,
           typename NamedParametersTM = parameters::Default_named_parameters>
-Quad_mesh_deviation
-quad_mesh_deviation(const QuadMesh& qm, const TriangleMesh& tm,
-                    const NamedParametersQM& np_qm = parameters::default_values(),
-                    const NamedParametersTM& np_tm = parameters::default_values())
+Quad_mesh_deviation quad_mesh_deviation(const QuadMesh& qm, const TriangleMesh& tm,
+                                        const NamedParametersQM& np_qm = parameters::default_values(),
+                                        const NamedParametersTM& np_tm = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -83,8 +81,8 @@ quad_mesh_deviation(const QuadMesh& qm, const TriangleMesh& tm,
 
   CGAL_precondition(is_quad_mesh(qm));
   CGAL_precondition(is_triangle_mesh(tm));
-  const auto vpm = choose_parameter(get_parameter(np_qm, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, qm));
+  const auto vpm =
+    choose_parameter(get_parameter(np_qm, internal_np::vertex_point), get_const_property_map(vertex_point, qm));
   return internal::deviation_of_quad_mesh(
     internal::make_indexed_quad_mesh(qm, vpm, Static_boolean_property_map<edge_descriptor, false>()).mesh,
     internal::make_indexed_reference(tm, np_tm));
@@ -94,7 +92,7 @@ quad_mesh_deviation(const QuadMesh& qm, const TriangleMesh& tm,
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_deviation_impl.h>
+#include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_deviation_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_DEVIATION_H

@@ -34,7 +34,13 @@ namespace Quad_meshing {
  * mesh few vertices are irregular and there are few patches for the number of quads, in a *valence
  * semi-regular* mesh only the former holds, in an *unstructured* mesh neither does.
  */
-enum class Quad_mesh_class { REGULAR, SEMI_REGULAR, VALENCE_SEMI_REGULAR, UNSTRUCTURED };
+enum class Quad_mesh_class
+{
+  REGULAR,
+  SEMI_REGULAR,
+  VALENCE_SEMI_REGULAR,
+  UNSTRUCTURED
+};
 
 /*!
  * \ingroup PkgQuadMeshingStructureRef
@@ -53,18 +59,18 @@ struct Quad_mesh_structure
   /// A mesh with at most this number of patches per quad can be semi-regular.
   static constexpr double few_patches = 0.25;
 
-  std::size_t number_of_vertices = 0;      ///< vertices that have a face
-  std::size_t number_of_edges = 0;         ///< edges
-  std::size_t number_of_quads = 0;         ///< faces
-  std::size_t number_of_components = 0;    ///< connected components
-  std::size_t number_of_boundary_loops = 0;///< boundary cycles
-  int euler_characteristic = 0;            ///< vertices - edges + faces
+  std::size_t number_of_vertices = 0;       ///< vertices that have a face
+  std::size_t number_of_edges = 0;          ///< edges
+  std::size_t number_of_quads = 0;          ///< faces
+  std::size_t number_of_components = 0;     ///< connected components
+  std::size_t number_of_boundary_loops = 0; ///< boundary cycles
+  int euler_characteristic = 0;             ///< vertices - edges + faces
 
   /// \name Irregular vertices
   /// @{
-  std::map<int, std::size_t> inner_valences;      ///< number of inner vertices of each valence but 4
-  std::map<int, std::size_t> boundary_valences;   ///< number of boundary vertices of each valence but 3
-  std::size_t number_of_irregular_vertices = 0;   ///< sum of both
+  std::map<int, std::size_t> inner_valences;    ///< number of inner vertices of each valence but 4
+  std::map<int, std::size_t> boundary_valences; ///< number of boundary vertices of each valence but 3
+  std::size_t number_of_irregular_vertices = 0; ///< sum of both
   /// sum of 4 - valence over the inner and 3 - valence over the boundary vertices. It is 4 times the
   /// Euler characteristic, on every mesh.
   int sum_of_indices = 0;
@@ -72,19 +78,19 @@ struct Quad_mesh_structure
 
   /// \name Dual curves
   /// @{
-  std::size_t number_of_dual_curves = 0;                    ///< dual curves
-  std::size_t number_of_closed_dual_curves = 0;             ///< those that close up
-  std::size_t number_of_self_intersecting_dual_curves = 0;  ///< those that cross themselves
-  std::size_t number_of_self_intersections = 0;             ///< quads in which a dual curve crosses itself
-  std::size_t number_of_parallel_classes = 0;               ///< classes of topologically parallel dual curves
-  std::size_t longest_dual_curve = 0;                       ///< largest number of quads on one of them
+  std::size_t number_of_dual_curves = 0;                   ///< dual curves
+  std::size_t number_of_closed_dual_curves = 0;            ///< those that close up
+  std::size_t number_of_self_intersecting_dual_curves = 0; ///< those that cross themselves
+  std::size_t number_of_self_intersections = 0;            ///< quads in which a dual curve crosses itself
+  std::size_t number_of_parallel_classes = 0;              ///< classes of topologically parallel dual curves
+  std::size_t longest_dual_curve = 0;                      ///< largest number of quads on one of them
   /// @}
 
   /// \name Base complex
   /// @{
-  std::size_t number_of_patches = 0;              ///< its faces
-  std::size_t number_of_nodes = 0;                ///< its vertices
-  std::size_t number_of_arcs = 0;                 ///< its edges
+  std::size_t number_of_patches = 0; ///< its faces
+  std::size_t number_of_nodes = 0;   ///< its vertices
+  std::size_t number_of_arcs = 0;    ///< its edges
   /// patches that do not have four corners; they occur only on components without an irregular vertex.
   std::size_t number_of_patches_not_rectangular = 0;
   /// crossings of one dual curve from each parallel class: the number of patches by the dual
@@ -94,11 +100,11 @@ struct Quad_mesh_structure
 
   /// \name Helices
   /// @{
-  std::size_t number_of_helices = 0;              ///< minimal q-helices
+  std::size_t number_of_helices = 0; ///< minimal q-helices
   /// the same if a turn may cross itself: how often a dual curve comes back beside itself in any way.
   std::size_t number_of_helices_with_crossings = 0;
-  int smallest_pitch = 0;                         ///< smallest absolute pitch, 0 if there are no helices
-  double largest_winding_number = 0;              ///< largest winding number
+  int smallest_pitch = 0;            ///< smallest absolute pitch, 0 if there are no helices
+  double largest_winding_number = 0; ///< largest winding number
   /// @}
 
   /// number of irregular vertices per vertex.
@@ -108,16 +114,13 @@ struct Quad_mesh_structure
   }
 
   /// number of patches per quad.
-  double patch_density() const
-  {
-    return number_of_quads == 0 ? 0 : double(number_of_patches) / number_of_quads;
-  }
+  double patch_density() const { return number_of_quads == 0 ? 0 : double(number_of_patches) / number_of_quads; }
 
   /// the class of the mesh.
   Quad_mesh_class classification() const
   {
-    const bool rectangle = number_of_irregular_vertices == 4 && number_of_boundary_loops == 1
-                        && boundary_valences.count(2) > 0 && boundary_valences.at(2) == 4;
+    const bool rectangle = number_of_irregular_vertices == 4 && number_of_boundary_loops == 1 &&
+                           boundary_valences.count(2) > 0 && boundary_valences.at(2) == 4;
     if((number_of_irregular_vertices == 0 || rectangle) && number_of_components == 1)
       return Quad_mesh_class::REGULAR;
     if(irregularity() > few_irregular_vertices)
@@ -180,7 +183,8 @@ Indexed_quad_mesh_copy<QuadMesh> make_indexed_quad_mesh(const QuadMesh& qm)
 {
   typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
   return make_indexed_quad_mesh(qm, get(vertex_point, qm), Static_boolean_property_map<edge_descriptor, false>());
-}} // namespace internal
+}
+} // namespace internal
 
 /*!
  * \ingroup PkgQuadMeshingStructureRef
@@ -255,14 +259,14 @@ std::size_t base_complex(const QuadMesh& qm, EdgeSeparatrixMap edge_is_separatri
  * \pre `CGAL::is_quad_mesh(qm)`, and no vertex of `qm` is non-manifold
  */
 template <typename QuadMesh>
-std::vector<Quad_helix<QuadMesh> > minimal_q_helices(const QuadMesh& qm)
+std::vector<Quad_helix<QuadMesh>> minimal_q_helices(const QuadMesh& qm)
 {
   CGAL_precondition(is_quad_mesh(qm));
   const auto copy = internal::make_indexed_quad_mesh(qm);
-  std::vector<Quad_helix<QuadMesh> > helices;
+  std::vector<Quad_helix<QuadMesh>> helices;
   for(const internal::Helix_of_quad_mesh& h : internal::helices_of_quad_mesh(copy.mesh))
-    helices.push_back(Quad_helix<QuadMesh>{ internal::original_halfedge(h.first, copy, qm), h.pitch, h.turn_length,
-                                            h.length });
+    helices.push_back(
+      Quad_helix<QuadMesh>{ internal::original_halfedge(h.first, copy, qm), h.pitch, h.turn_length, h.length });
   return helices;
 }
 
@@ -270,7 +274,7 @@ std::vector<Quad_helix<QuadMesh> > minimal_q_helices(const QuadMesh& qm)
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_structure_impl.h>
+#include <CGAL/Quad_meshing/Quad_mesh/internal/quad_mesh_structure_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_QUAD_MESH_QUAD_MESH_STRUCTURE_H

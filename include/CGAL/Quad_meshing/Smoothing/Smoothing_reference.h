@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// What the vertices of a quad mesh move on: a surface, the curves of its features, its borders. What it offers to other rooms
-// is to be made once and to be smoothed on as often as they like; a search structure is built at its first use.
+// What the vertices of a quad mesh move on: a surface, the curves of its features, its borders. What it offers to other
+// rooms is to be made once and to be smoothed on as often as they like; a search structure is built at its first use.
 class Smoothing_reference
 {
 public:
@@ -36,7 +36,7 @@ public:
   // Whether there is nothing to move on: no triangle has a positive area.
   CGAL_QUAD_MESHING_INLINE bool is_empty() const;
 
-  struct Data;                    // known to the smoothers only
+  struct Data; // known to the smoothers only
   Data& data() { return *m_data; }
 
 private:
@@ -48,7 +48,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Smoothing/internal/Smoothing_reference_impl.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Smoothing_reference_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_SMOOTHING_SMOOTHING_REFERENCE_H

@@ -30,8 +30,8 @@ namespace internal {
 
 // Smooths on `make_reference(flat copy)` and writes the points back.
 template <typename QuadMesh, typename NamedParameters, typename MakeReference>
-Quad_mesh_smoothing_result
-smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference)
+Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np,
+                                                 const MakeReference& make_reference)
 {
   typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
@@ -41,19 +41,21 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::smoothing_iterations), options.iterations);
   options.globally =
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::smooth_globally), options.globally);
-  return work_on_quad_mesh_copy<Quad_mesh_smoothing_result>(qm, np, make_reference,
-    [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor, auto vpm, auto)
+  return work_on_quad_mesh_copy<Quad_mesh_smoothing_result>(
+    qm, np, make_reference,
+    [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor, auto vpm,
+        auto)
     {
-      const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
-      const Quad_mesh_smoothing_result result =
-        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, options, visitor);
-      for(std::size_t i = 0; i < copy.vertices.size(); ++i)
-      {
-        const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
-        if(p != before[i])
-          put(vpm, copy.vertices[i], Point(p.x(), p.y(), p.z()));
-      }
-      return result;
+    const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
+    const Quad_mesh_smoothing_result result =
+      smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, options, visitor);
+    for(std::size_t i = 0; i < copy.vertices.size(); ++i)
+    {
+      const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
+      if(p != before[i])
+        put(vpm, copy.vertices[i], Point(p.x(), p.y(), p.z()));
+    }
+    return result;
     });
 }
 
@@ -76,13 +78,13 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
  * a square corner, with a smaller part that asks for the mean area of the neighbourhood; it is
  * minimized vertex by vertex. A quad that is strictly convex stays so and is not turned over, because
  * steps that would do so are not taken. If the input has folded quads, these and their neighbourhood
- * are first unfolded with the energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov: *Foldover-free maps in 50 lines of code*, ACM TOG 40(4), 2021. That needs no valid start and
- * mostly succeeds, but is not guaranteed to.
+ * are first unfolded with the energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov: *Foldover-free maps in
+ * 50 lines of code*, ACM TOG 40(4), 2021. That needs no valid start and mostly succeeds, but is not guaranteed to.
  *
- * Vertex by vertex, a mesh gets well shaped where it has to move by a few quads. With `smooth_globally`, all vertices are moved at
- * once by steps of Newton's method, as long as they help: they can go all over the surface. Corners are to be right angles first
- * then, and quads may become rectangles. Quads with scaled Jacobians below 0.5 do not become worse, better ones not worse than that,
- * and the worst ones are improved in the end.
+ * Vertex by vertex, a mesh gets well shaped where it has to move by a few quads. With `smooth_globally`, all vertices
+ * are moved at once by steps of Newton's method, as long as they help: they can go all over the surface. Corners are to
+ * be right angles first then, and quads may become rectangles. Quads with scaled Jacobians below 0.5 do not become
+ * worse, better ones not worse than that, and the worst ones are improved in the end.
  *
  * \tparam QuadMesh a model of `FaceListGraph`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -151,17 +153,15 @@ smooth_quad_mesh_with(QuadMesh& qm, const NamedParameters& np, const MakeReferen
  *
  * \pre `CGAL::is_triangle_mesh(tm)`, and no vertex of `tm` or `qm` is non-manifold
  */
-template <typename QuadMesh, typename TriangleMesh,
-          typename NamedParametersQM = parameters::Default_named_parameters,
+template <typename QuadMesh, typename TriangleMesh, typename NamedParametersQM = parameters::Default_named_parameters,
           typename NamedParametersTM = parameters::Default_named_parameters>
-Quad_mesh_smoothing_result
-smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
-                 const NamedParametersQM& np_qm = parameters::default_values(),
-                 const NamedParametersTM& np_tm = parameters::default_values())
+Quad_mesh_smoothing_result smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
+                                            const NamedParametersQM& np_qm = parameters::default_values(),
+                                            const NamedParametersTM& np_tm = parameters::default_values())
 {
   CGAL_precondition(is_triangle_mesh(tm));
-  return internal::smooth_quad_mesh_with(qm, np_qm, [&](const internal::Indexed_quad_mesh& m)
-  {
+  return internal::smooth_quad_mesh_with(qm, np_qm,
+                                         [&](const internal::Indexed_quad_mesh& m) {
     return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm));
   });
 }
@@ -175,13 +175,10 @@ smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm,
  * Otherwise as above.
  */
 template <typename QuadMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Quad_mesh_smoothing_result
-smooth_quad_mesh(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_values())
+Quad_mesh_smoothing_result smooth_quad_mesh(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::smooth_quad_mesh_with(qm, np, [](const internal::Indexed_quad_mesh& m)
-  {
-    return internal::Smoothing_reference(m);
-  });
+  return internal::smooth_quad_mesh_with(
+    qm, np, [](const internal::Indexed_quad_mesh& m) { return internal::Smoothing_reference(m); });
 }
 
 } // namespace Quad_meshing

@@ -26,11 +26,12 @@ namespace Quad_meshing {
 namespace internal {
 
 // Reads the named parameters of a quad mesh that is smoothed: `edge_is_constrained_map`, `vertex_is_constrained_map`,
-// `vertex_point_map` and `visitor`. Calls work(copy, constrained vertices, reference, visitor, vertex points, edge constraints)
-// with a flat copy of the mesh and the reference make_reference(flat copy) that it is smoothed on. A `Result` says so if the
-// mesh or the reference cannot be used.
+// `vertex_point_map` and `visitor`. Calls work(copy, constrained vertices, reference, visitor, vertex points, edge
+// constraints) with a flat copy of the mesh and the reference make_reference(flat copy) that it is smoothed on. A
+// `Result` says so if the mesh or the reference cannot be used.
 template <typename Result, typename QuadMesh, typename NamedParameters, typename MakeReference, typename Work>
-Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference, const Work& work)
+Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference,
+                              const Work& work)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -40,7 +41,7 @@ Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const Mak
   auto ecm = edge_constraint_map(qm, np);
   Default_visitor default_visitor;
   auto&& user_visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  Visitor_adaptor<std::remove_reference_t<decltype(user_visitor)> > visitor(user_visitor);
+  Visitor_adaptor<std::remove_reference_t<decltype(user_visitor)>> visitor(user_visitor);
 
   typedef decltype(Result::status) Status;
   Result result;

@@ -25,8 +25,8 @@ namespace Quad_meshing {
  */
 enum class Structure_method
 {
-  LAYOUT,     ///< looks for a coarse layout of the whole mesh, then multiplies its dual curves
-  HELICES     ///< removes helices one by one
+  LAYOUT, ///< looks for a coarse layout of the whole mesh, then multiplies its dual curves
+  HELICES ///< removes helices one by one
 };
 
 /*!
@@ -36,10 +36,10 @@ enum class Structure_method
  */
 enum class Structure_optimization_status
 {
-  OPTIMIZED,          ///< the structure has been optimized, as far as the time allowed it
-  NOT_A_QUAD_MESH,    ///< the mesh has faces that are not quads, or no faces; it has not been touched
-  EMPTY_REFERENCE,    ///< the reference has no triangle of positive area; the mesh has not been touched
-  STOPPED             ///< the visitor asked for an early end; the mesh is as it was
+  OPTIMIZED,       ///< the structure has been optimized, as far as the time allowed it
+  NOT_A_QUAD_MESH, ///< the mesh has faces that are not quads, or no faces; it has not been touched
+  EMPTY_REFERENCE, ///< the reference has no triangle of positive area; the mesh has not been touched
+  STOPPED          ///< the visitor asked for an early end; the mesh is as it was
 };
 
 /*!
@@ -51,10 +51,10 @@ inline const char* status_name(Structure_optimization_status status)
 {
   switch(status)
   {
-    case Structure_optimization_status::OPTIMIZED:       return "optimized";
+    case Structure_optimization_status::OPTIMIZED: return "optimized";
     case Structure_optimization_status::NOT_A_QUAD_MESH: return "not_a_quad_mesh";
     case Structure_optimization_status::EMPTY_REFERENCE: return "empty_reference";
-    case Structure_optimization_status::STOPPED:         return "stopped";
+    case Structure_optimization_status::STOPPED: return "stopped";
   }
   return "unknown";
 }
@@ -67,11 +67,11 @@ inline const char* status_name(Structure_optimization_status status)
 struct Quad_structure_optimization_result
 {
   Structure_optimization_status status = Structure_optimization_status::OPTIMIZED; ///< the outcome
-  std::string message;                      ///< the outcome as a sentence
-  bool is_time_up = false;                  ///< whether `maximum_running_time` ended the search
-  std::size_t operators_applied = 0;        ///< number of grid-preserving operators applied one by one
-  Quad_mesh_structure structure_before;     ///< structure of the input
-  Quad_mesh_structure structure_after;      ///< structure of the output
+  std::string message;                                                             ///< the outcome as a sentence
+  bool is_time_up = false;              ///< whether `maximum_running_time` ended the search
+  std::size_t operators_applied = 0;    ///< number of grid-preserving operators applied one by one
+  Quad_mesh_structure structure_before; ///< structure of the input
+  Quad_mesh_structure structure_after;  ///< structure of the output
   /// what the smoothing at the end did. Its input is the mesh after the last operator.
   Quad_mesh_smoothing_result smoothing;
 

@@ -34,9 +34,9 @@ namespace Quad_meshing {
  */
 enum class Grid_preserving_step_kind
 {
-  SHIFT_LEFT,    ///< the left end of the edge moves on to the next vertex
-  COLLAPSE,      ///< both ends of the edge become one vertex
-  SHIFT_RIGHT    ///< the right end of the edge moves on to the next vertex
+  SHIFT_LEFT, ///< the left end of the edge moves on to the next vertex
+  COLLAPSE,   ///< both ends of the edge become one vertex
+  SHIFT_RIGHT ///< the right end of the edge moves on to the next vertex
 };
 
 /*!
@@ -66,10 +66,11 @@ struct Grid_preserving_step
  * to the right goes straight on or turns left into collapses. A path of collapses may also end at the
  * boundary and begin there. The whole path cuts the surface and glues it together again, one side moved on
  * by one quad. So the result is a pure quad mesh with the same topology and the same valences of the
- * irregular vertices, only with fewer quads (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral meshes*, Computer Graphics Forum 30(2), 2011).
+ * irregular vertices, only with fewer quads (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral
+ * meshes*, Computer Graphics Forum 30(2), 2011).
  */
 template <typename QuadMesh>
-using Grid_preserving_operator = std::vector<Grid_preserving_step<QuadMesh> >;
+using Grid_preserving_operator = std::vector<Grid_preserving_step<QuadMesh>>;
 
 namespace internal {
 
@@ -90,8 +91,8 @@ struct Gp_input
     using parameters::get_parameter;
 
     CGAL_precondition(is_quad_mesh(qm));
-    const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                      get_const_property_map(vertex_point, qm));
+    const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, qm));
     merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
     copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
     state = initial_structure_state(copy.mesh, constrained_vertices(copy, np));
@@ -120,8 +121,8 @@ struct Gp_input
     Grid_preserving_operator<QuadMesh> result;
     for(const Gp_step& s : path)
     {
-      const halfedge_descriptor h = s.out != -1 ? original_halfedge(s.out, copy, qm)
-                                                : opposite(original_halfedge(s.in, copy, qm), qm);
+      const halfedge_descriptor h =
+        s.out != -1 ? original_halfedge(s.out, copy, qm) : opposite(original_halfedge(s.in, copy, qm), qm);
       result.push_back(Grid_preserving_step<QuadMesh>{ h, static_cast<Grid_preserving_step_kind>(s.kind) });
     }
     return result;
@@ -136,8 +137,8 @@ struct Gp_input
     Gp_path path;
     for(std::size_t i = 0; i < op.size(); ++i)
       path.push_back(is_border(op[i].halfedge, qm)
-                     ? Gp_step{ -1, indices[i], static_cast<Gp_kind>(op[i].kind) }
-                     : Gp_step{ indices[i], copy.mesh.opposite[indices[i]], static_cast<Gp_kind>(op[i].kind) });
+                       ? Gp_step{ -1, indices[i], static_cast<Gp_kind>(op[i].kind) }
+                       : Gp_step{ indices[i], copy.mesh.opposite[indices[i]], static_cast<Gp_kind>(op[i].kind) });
     return path;
   }
 };
@@ -200,10 +201,8 @@ struct Gp_input
  */
 template <typename QuadMesh, typename NamedParameters = parameters::Default_named_parameters>
 Grid_preserving_operator<QuadMesh>
-find_grid_preserving_operator(const QuadMesh& qm,
-                              typename boost::graph_traits<QuadMesh>::halfedge_descriptor h,
-                              Grid_preserving_step_kind kind,
-                              const NamedParameters& np = parameters::default_values())
+find_grid_preserving_operator(const QuadMesh& qm, typename boost::graph_traits<QuadMesh>::halfedge_descriptor h,
+                              Grid_preserving_step_kind kind, const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -215,7 +214,8 @@ find_grid_preserving_operator(const QuadMesh& qm,
   std::function<double(const internal::Gp_step&)> cost;
   const Step_cost step_cost = choose_parameter(get_parameter(np, internal_np::operator_step_cost), Step_cost());
   if(step_cost)
-    cost = [&](const internal::Gp_step& s) { return step_cost(input.public_path(internal::Gp_path(1, s), qm).front()); };
+    cost = [&](const internal::Gp_step& s)
+    { return step_cost(input.public_path(internal::Gp_path(1, s), qm).front()); };
   const int first = 3 * input.index({ h }, qm).front() + static_cast<int>(kind);
   return input.public_path(internal::find_gp_operator(input.state, input.merge_singularities, first, cost), qm);
 }
@@ -243,9 +243,10 @@ dual_curve_operator(const QuadMesh& qm, typename boost::graph_traits<QuadMesh>::
 {
   CGAL_precondition(!is_border(h, qm));
   const internal::Gp_input<QuadMesh, NamedParameters> input(qm, np);
-  return input.public_path(internal::dual_curve_gp_operator(input.state, input.merge_singularities,
-                                                            input.index({ h }, qm).front(),
-                                                            static_cast<internal::Gp_kind>(kind)), qm);
+  return input.public_path(
+    internal::dual_curve_gp_operator(input.state, input.merge_singularities, input.index({ h }, qm).front(),
+                                     static_cast<internal::Gp_kind>(kind)),
+    qm);
 }
 
 /*!

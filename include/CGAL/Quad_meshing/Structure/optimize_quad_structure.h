@@ -32,8 +32,8 @@ namespace internal {
 
 // Optimizes a flat copy on `make_reference(copy)` and writes it back.
 template <typename QuadMesh, typename NamedParameters, typename MakeReference>
-Quad_structure_optimization_result
-optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const MakeReference& make_reference)
+Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np,
+                                                                const MakeReference& make_reference)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -41,36 +41,36 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
 
   Structure_options options;
   options.method = choose_parameter(get_parameter(np, internal_np::structure_method), options.method);
-  options.merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities),
-                                                 options.merge_singularities);
-  options.collapse_dual_curves = choose_parameter(get_parameter(np, internal_np::collapse_dual_curves),
-                                                  options.collapse_dual_curves);
+  options.merge_singularities =
+    choose_parameter(get_parameter(np, internal_np::merge_singularities), options.merge_singularities);
+  options.collapse_dual_curves =
+    choose_parameter(get_parameter(np, internal_np::collapse_dual_curves), options.collapse_dual_curves);
   options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), options.target_quads);
-  options.target_patches = choose_parameter(get_parameter(np, internal_np::target_number_of_patches),
-                                            options.target_patches);
+  options.target_patches =
+    choose_parameter(get_parameter(np, internal_np::target_number_of_patches), options.target_patches);
   options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.layouts);
-  options.smoothing_iterations = choose_parameter(get_parameter(np, internal_np::smoothing_iterations),
-                                                  options.smoothing_iterations);
-  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                                  options.maximum_running_time);
+  options.smoothing_iterations =
+    choose_parameter(get_parameter(np, internal_np::smoothing_iterations), options.smoothing_iterations);
+  options.maximum_running_time =
+    choose_parameter(get_parameter(np, internal_np::maximum_running_time), options.maximum_running_time);
 
   return work_on_quad_mesh_copy<Result>(qm, np, make_reference,
-    [&](const auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor,
-        auto vpm, auto ecm)
+                                        [&](const auto& copy, const std::vector<char>& is_fixed,
+                                            Smoothing_reference& reference, Any_visitor& visitor, auto vpm, auto ecm)
+                                        {
+    if(copy.mesh.number_of_faces() == 0)
     {
-      if(copy.mesh.number_of_faces() == 0)
-      {
-        Result result;
-        result.status = Structure_optimization_status::NOT_A_QUAD_MESH;
-        result.message = "The mesh has no faces.";
-        return result;
-      }
-      Structure_state s = initial_structure_state(copy.mesh, is_fixed);
-      const Result result = optimize_indexed_quad_structure(s, reference, options, visitor);
-      if(result.status == Structure_optimization_status::OPTIMIZED)
-        write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
+      Result result;
+      result.status = Structure_optimization_status::NOT_A_QUAD_MESH;
+      result.message = "The mesh has no faces.";
       return result;
-    });
+    }
+    Structure_state s = initial_structure_state(copy.mesh, is_fixed);
+    const Result result = optimize_indexed_quad_structure(s, reference, options, visitor);
+    if(result.status == Structure_optimization_status::OPTIMIZED)
+      write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
+    return result;
+  });
 }
 
 } // namespace internal
@@ -81,36 +81,36 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  * \brief makes the base complex of a quad mesh coarser, without changing its topology and its
  * irregular vertices.
  *
- * By default a coarse layout is searched. The straight lines from the irregular vertices, each of them up to where it meets
- * another one, cut the mesh into few rectangles; integer lengths are chosen for their sides such that sides vanish, which makes
- * lines from different irregular vertices meet (Lyon, Campen, Kobbelt: *Quad layouts via constrained T-mesh quantization*,
- * Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is replaced by several parallel ones, so that there
- * are about as many quads as before, or fewer if that gives fewer helices. The layout is chosen by its number of
- * helices, by its number of patches, by how many quads there are and by how much they have to be sheared and stretched. A layout
- * on which the smoothing leaves bad quads is given up for another one; if there is none with good quads, the input stays.
+ * By default a coarse layout is searched. The straight lines from the irregular vertices, each of them up to where it
+ * meets another one, cut the mesh into few rectangles; integer lengths are chosen for their sides such that sides
+ * vanish, which makes lines from different irregular vertices meet (Lyon, Campen, Kobbelt: *Quad layouts via
+ * constrained T-mesh quantization*, Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is
+ * replaced by several parallel ones, so that there are about as many quads as before, or fewer if that gives fewer
+ * helices. The layout is chosen by its number of helices, by its number of patches, by how many quads there are and by
+ * how much they have to be sheared and stretched. A layout on which the smoothing leaves bad quads is given up for
+ * another one; if there is none with good quads, the input stays.
  *
- * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest winding
- * number that can be removed with a gain first, in several of its columns and in both directions, one operator for each unit of
- * its pitch (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral meshes*, Computer Graphics Forum 30(2),
- * 2011). The operators do not destroy closed dual curves and do not wind up helices of more than two turns. A step is kept if
- * there are fewer helices then, and not more in either way of counting (with and without those that cross themselves), or as many and
- * a smaller base complex. Each operator removes quads; at least 40
+ * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest
+ * winding number that can be removed with a gain first, in several of its columns and in both directions, one operator
+ * for each unit of its pitch (Bommes, Lempfer, Kobbelt: *Global structure optimization of quadrilateral meshes*,
+ * Computer Graphics Forum 30(2), 2011). The operators do not destroy closed dual curves and do not wind up helices of
+ * more than two turns. A step is kept if there are fewer helices then, and not more in either way of counting (with and
+ * without those that cross themselves), or as many and a smaller base complex. Each operator removes quads; at least 40
  * percent of them remain. A mesh without irregular vertices is always treated in this way.
  *
  * In both, constrained edges, the boundary and the irregular vertices are kept, and the positions are smoothed on the
- * reference (see `smooth_quad_mesh()`). The result does not have more inverted or folded quads than the input, and its minimal
- * scaled Jacobian is at least half as large, unless nothing is smoothed. With `merge_singularities` or `collapse_dual_curves` this
- * does not hold for the Jacobian.
+ * reference (see `smooth_quad_mesh()`). The result does not have more inverted or folded quads than the input, and its
+ * minimal scaled Jacobian is at least half as large, unless nothing is smoothed. With `merge_singularities` or
+ * `collapse_dual_curves` this does not hold for the Jacobian.
  *
  * \tparam QuadMesh a model of `MutableFaceGraph` and `FaceListGraph`
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam NamedParametersQM a sequence of named parameters
  * \tparam NamedParametersTM a sequence of named parameters
  *
- * \param qm the quad mesh. There are not more vertices, edges and faces afterwards than before, and those that remain have
- *        descriptors of the input: the irregular and the constrained vertices their own.
- * \param tm the reference surface, a triangle mesh
- * \param np_qm an optional sequence of named parameters for `qm` among those listed below
+ * \param qm the quad mesh. There are not more vertices, edges and faces afterwards than before, and those that remain
+ * have descriptors of the input: the irregular and the constrained vertices their own. \param tm the reference surface,
+ * a triangle mesh \param np_qm an optional sequence of named parameters for `qm` among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
@@ -120,11 +120,9 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, qm)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map that tells the feature edges of `qm`, and after the call those of the result}
- *     \cgalParamType{a class model of `ReadWritePropertyMap` with
- *                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value type}
- *     \cgalParamDefault{no edge is constrained}
- *   \cgalParamNEnd
+ *     \cgalParamDescription{a property map that tells the feature edges of `qm`, and after the call those of the
+ * result} \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<QuadMesh>::%edge_descriptor`
+ * as key type and `bool` as value type} \cgalParamDefault{no edge is constrained} \cgalParamNEnd
  *   \cgalParamNBegin{vertex_is_constrained_map}
  *     \cgalParamDescription{a property map that tells the vertices of `qm` that must neither move nor be merged}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -142,48 +140,33 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{collapse_dual_curves}
- *     \cgalParamDescription{whether, at the end, all dual curves are collapsed that can be, the shortest first. The result
- *                           is very coarse: as a base mesh, or until a target is reached.}
- *     \cgalParamType{bool}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDescription{whether, at the end, all dual curves are collapsed that can be, the shortest first. The
+ * result is very coarse: as a base mesh, or until a target is reached.} \cgalParamType{bool} \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_number_of_quads}
- *     \cgalParamDescription{the result has no more quads than this, if that is possible. The dual curves of a layout are
- *                           multiplied up to this number, which is at most that of the input; with 1 they are not multiplied at
- *                           all, and the layout itself is the result. The removal of helices, and the collapse of dual curves,
- *                           end when there are no more quads than this.}
+ *     \cgalParamDescription{the result has no more quads than this, if that is possible. The dual curves of a layout
+ * are multiplied up to this number, which is at most that of the input; with 1 they are not multiplied at all, and the
+ * layout itself is the result. The removal of helices, and the collapse of dual curves, end when there are no more
+ * quads than this.} \cgalParamType{std::size_t} \cgalParamDefault{`0`: no target. A layout gets as many quads as the
+ * input has.} \cgalParamNEnd \cgalParamNBegin{target_number_of_patches} \cgalParamDescription{the optimization ends
+ * when the base complex has no more patches than this. A layout is made as coarse as that and no coarser, if possible.}
  *     \cgalParamType{std::size_t}
- *     \cgalParamDefault{`0`: no target. A layout gets as many quads as the input has.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{target_number_of_patches}
- *     \cgalParamDescription{the optimization ends when the base complex has no more patches than this. A layout is made as
- *                           coarse as that and no coarser, if possible.}
- *     \cgalParamType{std::size_t}
- *     \cgalParamDefault{`0`: no target. A layout gets at most 20 quads for each irregular vertex, and a quarter of the quads
- *                       of the input, before its dual curves are multiplied.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of layouts that are tried at random in one round. There are up to four rounds, as long as
- *                           the goals of the manual are not reached. More of them take more time and find better layouts.}
+ *     \cgalParamDefault{`0`: no target. A layout gets at most 20 quads for each irregular vertex, and a quarter of the
+ * quads of the input, before its dual curves are multiplied.} \cgalParamNEnd \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the number of layouts that are tried at random in one round. There are up to four rounds,
+ * as long as the goals of the manual are not reached. More of them take more time and find better layouts.}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`10000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{smoothing_iterations}
- *     \cgalParamDescription{number of sweeps of the smoothing at the end, or of its steps that move all vertices of a new layout
- *                           at once; with 0, nothing is smoothed at all}
- *     \cgalParamType{unsigned int}
- *     \cgalParamDefault{`20`}
+ *     \cgalParamDescription{number of sweeps of the smoothing at the end, or of its steps that move all vertices of a
+ * new layout at once; with 0, nothing is smoothed at all} \cgalParamType{unsigned int} \cgalParamDefault{`20`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
- *     \cgalParamDescription{the search ends after this time, in seconds, with the best mesh that has been found until then; it is
- *                           not smoothed once more at the end. The result says so.}
- *     \cgalParamType{double}
- *     \cgalParamDefault{no limit}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor with the interface of `Default_visitor`, passed as `std::ref(visitor)`}
- *     \cgalParamDefault{`Default_visitor`}
- *   \cgalParamNEnd
+ *     \cgalParamDescription{the search ends after this time, in seconds, with the best mesh that has been found until
+ * then; it is not smoothed once more at the end. The result says so.} \cgalParamType{double} \cgalParamDefault{no
+ * limit} \cgalParamNEnd \cgalParamNBegin{visitor} \cgalParamDescription{a visitor with the interface of
+ * `Default_visitor`, passed as `std::ref(visitor)`} \cgalParamDefault{`Default_visitor`} \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np_tm an optional sequence of named parameters for `tm`: `vertex_point_map`, and
@@ -193,8 +176,7 @@ optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np, const Make
  *
  * \pre `CGAL::is_triangle_mesh(tm)`, and no vertex of `tm` or `qm` is non-manifold
  */
-template <typename QuadMesh, typename TriangleMesh,
-          typename NamedParametersQM = parameters::Default_named_parameters,
+template <typename QuadMesh, typename TriangleMesh, typename NamedParametersQM = parameters::Default_named_parameters,
           typename NamedParametersTM = parameters::Default_named_parameters>
 Quad_structure_optimization_result
 optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
@@ -202,8 +184,8 @@ optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
                         const NamedParametersTM& np_tm = parameters::default_values())
 {
   CGAL_precondition(is_triangle_mesh(tm));
-  return internal::optimize_quad_structure_with(qm, np_qm, [&](const internal::Indexed_quad_mesh& m)
-  {
+  return internal::optimize_quad_structure_with(qm, np_qm,
+                                                [&](const internal::Indexed_quad_mesh& m) {
     return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm));
   });
 }
@@ -215,13 +197,11 @@ optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
  * reference.
  */
 template <typename QuadMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Quad_structure_optimization_result
-optimize_quad_structure(QuadMesh& qm, const CGAL_NP_CLASS& np = parameters::default_values())
+Quad_structure_optimization_result optimize_quad_structure(QuadMesh& qm,
+                                                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::optimize_quad_structure_with(qm, np, [](const internal::Indexed_quad_mesh& m)
-  {
-    return internal::Smoothing_reference(m);
-  });
+  return internal::optimize_quad_structure_with(
+    qm, np, [](const internal::Indexed_quad_mesh& m) { return internal::Smoothing_reference(m); });
 }
 
 } // namespace Quad_meshing

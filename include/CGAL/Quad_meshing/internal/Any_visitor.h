@@ -34,19 +34,22 @@ public:
 };
 
 template <typename Visitor, typename = void>
-struct Is_visitor : std::false_type {};
+struct Is_visitor : std::false_type
+{
+};
 
 template <typename Visitor>
 struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_stage_begin(std::string())),
                                        decltype(std::declval<Visitor&>().on_stage_end(std::string())),
                                        decltype(std::declval<Visitor&>().progress(0.5)),
-                                       decltype(static_cast<bool>(std::declval<Visitor&>().go_further()))> >
-  : std::true_type {};
+                                       decltype(static_cast<bool>(std::declval<Visitor&>().go_further()))>>
+  : std::true_type
+{
+};
 
 // The visitor of a user as an `Any_visitor`. It must outlive this object.
 template <typename Visitor>
-class Visitor_adaptor
-  : public Any_visitor
+class Visitor_adaptor : public Any_visitor
 {
   static_assert(Is_visitor<Visitor>::value,
                 "The visitor lacks on_stage_begin(name), on_stage_end(name), progress(completed) or go_further(): "
@@ -68,8 +71,7 @@ private:
 class Visited_stage
 {
 public:
-  Visited_stage(Any_visitor& visitor, std::string name)
-    : m_visitor(visitor), m_name(std::move(name))
+  Visited_stage(Any_visitor& visitor, std::string name) : m_visitor(visitor), m_name(std::move(name))
   {
     m_visitor.on_stage_begin(m_name);
   }

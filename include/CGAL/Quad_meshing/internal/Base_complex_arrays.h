@@ -34,7 +34,7 @@ inline std::vector<char> separatrix_halfedges(const Indexed_quad_mesh& m)
     if(!regularity.is_irregular[m.source(start)] || m.is_border(start))
       continue;
     // straight on: over an inner regular vertex the second edge counterclockwise
-    for(int h = start; !is_separatrix[h]; )
+    for(int h = start; !is_separatrix[h];)
     {
       is_separatrix[h] = is_separatrix[m.opposite[h]] = 1;
       if(!regularity.is_inner_regular[m.target(h)])
@@ -77,14 +77,14 @@ inline int number_of_base_complex_patches(const Indexed_quad_mesh& m)
 // The cell complex that the separatrices cut out of a quad mesh.
 struct Base_complex_arrays
 {
-  std::vector<char> is_separatrix;      // per halfedge
-  std::vector<char> is_node;            // per vertex: irregular, or a crossing or end of separatrices
-  std::vector<int> patch;               // per face: its patch
-  std::vector<int> corners_of_patch;    // per patch: number of its corners, 4 of a rectangle
+  std::vector<char> is_separatrix;   // per halfedge
+  std::vector<char> is_node;         // per vertex: irregular, or a crossing or end of separatrices
+  std::vector<int> patch;            // per face: its patch
+  std::vector<int> corners_of_patch; // per patch: number of its corners, 4 of a rectangle
   int number_of_patches = 0;
   int number_of_nodes = 0;
-  int number_of_arcs = 0;               // paths of separatrix edges between nodes, and loops without nodes
-  int number_of_free_loops = 0;         // arcs without a node: boundary loops with regular vertices only
+  int number_of_arcs = 0;       // paths of separatrix edges between nodes, and loops without nodes
+  int number_of_free_loops = 0; // arcs without a node: boundary loops with regular vertices only
   int number_of_separatrix_edges = 0;
 };
 
@@ -188,7 +188,8 @@ inline Parallel_classes make_parallel_classes(const Indexed_quad_mesh& m, const 
   Parallel_classes classes;
   classes.of_line.resize(lines.number_of_lines());
   for(int l = 0; l < lines.number_of_lines(); ++l)
-    classes.of_line[l] = parallel.smallest(l) == l ? classes.number_of_classes++ : classes.of_line[parallel.smallest(l)];
+    classes.of_line[l] =
+      parallel.smallest(l) == l ? classes.number_of_classes++ : classes.of_line[parallel.smallest(l)];
   return classes;
 }
 

@@ -26,12 +26,11 @@ namespace internal {
 // graph alone, once a header of CGAL has included that graph; property maps that are classes of Boost are found always.
 class Disjoint_sets
 {
-  typedef boost::iterator_property_map<std::vector<int>::iterator, boost::typed_identity_property_map<int> > Map;
+  typedef boost::iterator_property_map<std::vector<int>::iterator, boost::typed_identity_property_map<int>> Map;
 
 public:
   explicit Disjoint_sets(int n)
-    : m_rank(n, 0), m_parent(n), m_smallest(n)
-    , m_sets(Map(m_rank.begin()), Map(m_parent.begin()))
+    : m_rank(n, 0), m_parent(n), m_smallest(n), m_sets(Map(m_rank.begin()), Map(m_parent.begin()))
   {
     std::iota(m_parent.begin(), m_parent.end(), 0);
     std::iota(m_smallest.begin(), m_smallest.end(), 0);
@@ -62,7 +61,7 @@ public:
 
 private:
   std::vector<int> m_rank, m_parent;
-  std::vector<int> m_smallest;      // per representative
+  std::vector<int> m_smallest; // per representative
   boost::disjoint_sets<Map, Map> m_sets;
 };
 

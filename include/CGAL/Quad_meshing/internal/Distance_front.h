@@ -31,7 +31,8 @@ class Distance_front
 public:
   explicit Distance_front(int number_of_things)
     : m_distance(number_of_things, (std::numeric_limits<double>::infinity)())
-  {}
+  {
+  }
 
   // Offers a path of length d to i. Returns whether it is shorter than all before.
   bool reach(int i, double d)
@@ -75,7 +76,7 @@ public:
 
 private:
   typedef std::pair<double, int> Entry;
-  typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > Queue;
+  typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
 
   std::vector<double> m_distance;
   std::vector<int> m_reached;

@@ -25,11 +25,11 @@ namespace internal {
 // becoming length-1-p on an open line.
 struct Dual_lines
 {
-  std::vector<int> line, position;      // per halfedge
-  std::vector<int> first;               // per line: its first halfedge
-  std::vector<int> length;              // per line: number of its halfedges
-  std::vector<char> is_closed;          // per line
-  std::vector<int> reverse;             // per line: the line in the other direction
+  std::vector<int> line, position; // per halfedge
+  std::vector<int> first;          // per line: its first halfedge
+  std::vector<int> length;         // per line: number of its halfedges
+  std::vector<char> is_closed;     // per line
+  std::vector<int> reverse;        // per line: the line in the other direction
 
   int number_of_lines() const { return static_cast<int>(length.size()); }
 
@@ -64,8 +64,8 @@ struct Dual_lines
   }
 };
 
-// The vertices that lines pass straight, inside with four edges, and those that are irregular; by counting corners, without
-// walking around each vertex.
+// The vertices that lines pass straight, inside with four edges, and those that are irregular; by counting corners,
+// without walking around each vertex.
 struct Vertex_regularity
 {
   std::vector<char> is_inner_regular, is_irregular;

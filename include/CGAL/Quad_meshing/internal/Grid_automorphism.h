@@ -24,7 +24,7 @@ namespace internal {
 // if all coordinates are multiples of one power of two and small enough.
 struct Grid_automorphism
 {
-  int r = 0;         // number of quarter turns counterclockwise, 0 to 3
+  int r = 0; // number of quarter turns counterclockwise, 0 to 3
   double tx = 0;
   double ty = 0;
 
@@ -37,9 +37,18 @@ struct Grid_automorphism
     const double u = x;
     switch(quarter_turns & 3)
     {
-      case 1: x = -y; y = u; break;
-      case 2: x = -x; y = -y; break;
-      case 3: x = y; y = -u; break;
+      case 1:
+        x = -y;
+        y = u;
+        break;
+      case 2:
+        x = -x;
+        y = -y;
+        break;
+      case 3:
+        x = y;
+        y = -u;
+        break;
       default: break;
     }
   }
@@ -81,10 +90,10 @@ struct Grid_automorphism
 // What `recover_grid_automorphism()` found out about the two images of an edge.
 enum class Transition_kind
 {
-  EXACT,            // the automorphism maps one image onto the other exactly; its translation is integer
-  NOT_INTEGER,      // it maps one image onto the other exactly, but the translation is not integer
-  INEXACT,          // no automorphism does so exactly; the one given is the nearest
-  ZERO_LENGTH       // an image is a point: every rotation would do, the one given is rotation 0
+  EXACT,       // the automorphism maps one image onto the other exactly; its translation is integer
+  NOT_INTEGER, // it maps one image onto the other exactly, but the translation is not integer
+  INEXACT,     // no automorphism does so exactly; the one given is the nearest
+  ZERO_LENGTH  // an image is a point: every rotation would do, the one given is rotation 0
 };
 
 // a - b, and whether that difference is a double (Knuth's error term, which needs no size order).
@@ -104,8 +113,8 @@ inline bool exact_difference(double a, double b, double& difference)
 // where it is `ZERO_LENGTH` the translation is taken at the first end and left unrounded.
 // NaN or infinite coordinates give `INEXACT`.
 template <typename Point>
-Transition_kind
-recover_grid_automorphism(const Point& a0, const Point& a1, const Point& b0, const Point& b1, Grid_automorphism& g)
+Transition_kind recover_grid_automorphism(const Point& a0, const Point& a1, const Point& b0, const Point& b1,
+                                          Grid_automorphism& g)
 {
   const double ax = a1.x() - a0.x(), ay = a1.y() - a0.y();
   const double bx = b1.x() - b0.x(), by = b1.y() - b0.y();
@@ -130,8 +139,8 @@ recover_grid_automorphism(const Point& a0, const Point& a1, const Point& b0, con
     Grid_automorphism::rotate(r, x0, y0);
     Grid_automorphism::rotate(r, x1, y1);
     double tx, ty, sx, sy;
-    const bool exact = exact_difference(b0.x(), x0, tx) && exact_difference(b0.y(), y0, ty)
-                    && exact_difference(b1.x(), x1, sx) && exact_difference(b1.y(), y1, sy);
+    const bool exact = exact_difference(b0.x(), x0, tx) && exact_difference(b0.y(), y0, ty) &&
+                       exact_difference(b1.x(), x1, sx) && exact_difference(b1.y(), y1, sy);
     if(!exact || tx != sx || ty != sy)
       break;
     g = Grid_automorphism(r, tx, ty);
@@ -147,8 +156,8 @@ recover_grid_automorphism(const Point& a0, const Point& a1, const Point& b0, con
     r = cross >= 0 ? 1 : 3;
   double x = 0.5 * (a0.x() + a1.x()), y = 0.5 * (a0.y() + a1.y());
   Grid_automorphism::rotate(r, x, y);
-  g = Grid_automorphism(r, std::floor(0.5 * (b0.x() + b1.x()) - x + 0.5),
-                           std::floor(0.5 * (b0.y() + b1.y()) - y + 0.5));
+  g =
+    Grid_automorphism(r, std::floor(0.5 * (b0.x() + b1.x()) - x + 0.5), std::floor(0.5 * (b0.y() + b1.y()) - y + 0.5));
   return Transition_kind::INEXACT;
 }
 

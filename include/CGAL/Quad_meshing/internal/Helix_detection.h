@@ -33,8 +33,8 @@ struct Helix_record
   int pitch;
   int turn_length;
   int length;
-  int number_of_relations;      // dual edges that have their equivalent one turn ahead
-  bool is_whole_line;           // goes around a closed line
+  int number_of_relations; // dual edges that have their equivalent one turn ahead
+  bool is_whole_line;      // goes around a closed line
 };
 
 // The sideways relations of all directed dual edges, in time linear in their number: s and t are on
@@ -123,8 +123,8 @@ inline void keep_minimal_helices(std::vector<Helix_record>& helices, int line_le
 {
   if(helices.size() < 2)
     return;
-  std::stable_sort(helices.begin(), helices.end(), [](const Helix_record& a, const Helix_record& b)
-                   { return std::abs(a.pitch) < std::abs(b.pitch); });
+  std::stable_sort(helices.begin(), helices.end(),
+                   [](const Helix_record& a, const Helix_record& b) { return std::abs(a.pitch) < std::abs(b.pitch); });
   if(std::abs(helices.front().pitch) == std::abs(helices.back().pitch))
     return;
 
@@ -139,9 +139,8 @@ inline void keep_minimal_helices(std::vector<Helix_record>& helices, int line_le
     {
       const Helix_record& a = helices[j];
       const bool any_smaller = i > 0;
-      const bool hit = a.is_whole_line
-                     ? any_smaller
-                     : turn_end.from(a.start) <= a.start + a.number_of_relations - 1 + a.turn_length;
+      const bool hit =
+        a.is_whole_line ? any_smaller : turn_end.from(a.start) <= a.start + a.number_of_relations - 1 + a.turn_length;
       if(!hit)
         kept.push_back(a);
     }
@@ -172,16 +171,16 @@ inline std::vector<int> first_self_crossings(const Indexed_quad_mesh& m, const D
         if(rounds == 2)
           result[p + n] = result[p] + n;
       }
-  for(int p = rounds * n - 1; p-- > 0; )
+  for(int p = rounds * n - 1; p-- > 0;)
     result[p] = (std::min)(result[p], result[p + 1]);
   return result;
 }
 
 // All minimal q-helices, line by line. `relation` is the result of `side_relations()`. No turn of a helix crosses
 // itself, unless `may_cross_itself`.
-inline std::vector<Helix_record>
-minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::vector<Side_relation>& relation,
-                bool may_cross_itself = false)
+inline std::vector<Helix_record> minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines,
+                                                 const std::vector<Side_relation>& relation,
+                                                 bool may_cross_itself = false)
 {
   const int nh = m.number_of_halfedges();
   const std::vector<char> inner_regular = inner_regular_vertices(m);
@@ -208,7 +207,7 @@ minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::
       bad += bad_on_line[lines.line[q]];
     return bad == 0;
   };
-  std::vector<int> self_crossing;       // of the line that is searched
+  std::vector<int> self_crossing; // of the line that is searched
   auto is_helical = [&](int s)
   {
     const Side_relation& r = relation[s];
@@ -220,8 +219,8 @@ minimal_helices(const Indexed_quad_mesh& m, const Dual_lines& lines, const std::
   // a dual edge and the one ahead belong to one helix
   auto is_linked = [&](int s, int t)
   {
-    return t != -1 && is_helical(s) && is_helical(t) && relation[s].sidesteps == relation[t].sidesteps
-        && relation[s].offset == relation[t].offset && is_clear(s);
+    return t != -1 && is_helical(s) && is_helical(t) && relation[s].sidesteps == relation[t].sidesteps &&
+           relation[s].offset == relation[t].offset && is_clear(s);
   };
 
   std::vector<Helix_record> all, on_line;

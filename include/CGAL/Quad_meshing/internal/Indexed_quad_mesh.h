@@ -35,13 +35,13 @@ struct Indexed_quad_mesh
   typedef Simple_cartesian<double>::Point_3 Point_3;
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
 
-  std::vector<Point_3> points;                 // per vertex
-  std::vector<std::array<int, 4> > corners;    // per face: its vertices
-  std::vector<int> opposite;                   // per halfedge: the opposite one, -1 on the border
-  std::vector<char> is_feature;                // per halfedge: its edge is constrained
-  std::vector<int> halfedge_of_vertex;         // per vertex: one that leaves it (on the border: the
-                                               // one such that turning clockwise leaves the mesh),
-                                               // -1 if the vertex is isolated
+  std::vector<Point_3> points;             // per vertex
+  std::vector<std::array<int, 4>> corners; // per face: its vertices
+  std::vector<int> opposite;               // per halfedge: the opposite one, -1 on the border
+  std::vector<char> is_feature;            // per halfedge: its edge is constrained
+  std::vector<int> halfedge_of_vertex;     // per vertex: one that leaves it (on the border: the
+                                           // one such that turning clockwise leaves the mesh),
+                                           // -1 if the vertex is isolated
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_faces() const { return static_cast<int>(corners.size()); }
@@ -66,10 +66,7 @@ struct Indexed_quad_mesh
   int next_around_source(int h) const { return opposite[prev(h)]; }
   int previous_around_source(int h) const { return opposite[h] == -1 ? -1 : next(opposite[h]); }
 
-  bool is_border_vertex(int v) const
-  {
-    return halfedge_of_vertex[v] != -1 && opposite[halfedge_of_vertex[v]] == -1;
-  }
+  bool is_border_vertex(int v) const { return halfedge_of_vertex[v] != -1 && opposite[halfedge_of_vertex[v]] == -1; }
 
   // Number of edges at a vertex, which must be manifold.
   int valence(int v) const
@@ -105,10 +102,7 @@ struct Indexed_quad_mesh
     const int nh = 4 * number_of_faces();
     // sides sorted by their smaller vertex, in buckets
     std::vector<int> first(points.size() + 1, 0), sides(nh);
-    auto ends = [&](int h)
-    {
-      return std::minmax({corners[h / 4][h & 3], corners[h / 4][(h + 1) & 3]});
-    };
+    auto ends = [&](int h) { return std::minmax({ corners[h / 4][h & 3], corners[h / 4][(h + 1) & 3] }); };
     for(int h = 0; h < nh; ++h)
       ++first[ends(h).first + 1];
     for(std::size_t i = 1; i < first.size(); ++i)
@@ -160,8 +154,8 @@ original_halfedge(int h, const Indexed_quad_mesh_copy<QuadMesh>& copy, const Qua
 // Copies a pure quad mesh, vertices and faces in the order in which the graph enumerates them. Corner
 // 0 of a face is the source of `halfedge(f, qm)`.
 template <typename QuadMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
-Indexed_quad_mesh_copy<QuadMesh>
-make_indexed_quad_mesh(const QuadMesh& qm, VertexPointMap vpm, EdgeIsConstrainedMap ecm)
+Indexed_quad_mesh_copy<QuadMesh> make_indexed_quad_mesh(const QuadMesh& qm, VertexPointMap vpm,
+                                                        EdgeIsConstrainedMap ecm)
 {
   typedef typename boost::graph_traits<QuadMesh>::halfedge_descriptor halfedge_descriptor;
 
@@ -199,8 +193,16 @@ make_indexed_quad_mesh(const QuadMesh& qm, VertexPointMap vpm, EdgeIsConstrained
   {
     const int h = get(him, halfedge(e, qm)), o = get(him, opposite(halfedge(e, qm), qm));
     const char feature = get(ecm, e) ? 1 : 0;
-    if(h != -1) { m.opposite[h] = o; m.is_feature[h] = feature; }
-    if(o != -1) { m.opposite[o] = h; m.is_feature[o] = feature; }
+    if(h != -1)
+    {
+      m.opposite[h] = o;
+      m.is_feature[h] = feature;
+    }
+    if(o != -1)
+    {
+      m.opposite[o] = h;
+      m.is_feature[o] = feature;
+    }
   }
   m.find_halfedges_of_vertices();
   return copy;

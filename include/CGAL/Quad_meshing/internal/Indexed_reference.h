@@ -26,13 +26,13 @@ namespace Quad_meshing {
 namespace internal {
 
 // Segments by the numbers of their ends.
-typedef std::vector<std::array<int, 2> > Curve_segments;
+typedef std::vector<std::array<int, 2>> Curve_segments;
 
 // The triangle mesh that a quad mesh stands for, in flat arrays, with its feature curves and its borders.
 struct Indexed_reference
 {
   Indexed_triangle_mesh mesh;
-  Curve_segments features, borders;     // by the points of the mesh; no border belongs to the features
+  Curve_segments features, borders; // by the points of the mesh; no border belongs to the features
 };
 
 // Copies a triangle mesh; reads its named parameters `vertex_point_map` and `edge_is_constrained_map`.
@@ -43,8 +43,8 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
   using parameters::get_parameter;
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
 
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
+  const auto vpm =
+    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
   const auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                     Static_boolean_property_map<edge_descriptor, false>());
   const auto vim = vertex_numbers(tm, np);
@@ -53,8 +53,8 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
   {
     const bool is_on_border = is_border(e, tm);
     if(is_on_border || get(ecm, e))
-      (is_on_border ? reference.borders : reference.features).push_back(
-        {{ static_cast<int>(get(vim, source(e, tm))), static_cast<int>(get(vim, target(e, tm))) }});
+      (is_on_border ? reference.borders : reference.features)
+        .push_back({ { static_cast<int>(get(vim, source(e, tm))), static_cast<int>(get(vim, target(e, tm))) } });
   }
   return reference;
 }

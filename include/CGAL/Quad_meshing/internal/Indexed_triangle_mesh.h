@@ -39,17 +39,17 @@ struct Indexed_triangle_mesh
   typedef Simple_cartesian<double>::Point_3 Point_3;
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
 
-  std::vector<Point_3> points;                 // per vertex
-  std::vector<std::array<int, 3> > corners;    // per face: its vertices
-  std::vector<int> opposite;                   // per halfedge: the opposite one, -1 on the border
-  std::vector<int> edge_of;                    // per halfedge: its edge
-  std::vector<int> halfedge_of_edge;           // per edge: the image of `halfedge(e, tm)`, or of its
-                                               // opposite where that lies on the border
-  std::vector<int> halfedge_of_vertex;         // per vertex: one that leaves it (on the border: the
-                                               // one such that turning clockwise leaves the mesh),
-                                               // -1 if the vertex is isolated
-  int non_manifold_vertex = -1;                // one around which the faces form several fans, of which
-                                               // `halfedge_of_vertex` knows one; -1 if there is none
+  std::vector<Point_3> points;             // per vertex
+  std::vector<std::array<int, 3>> corners; // per face: its vertices
+  std::vector<int> opposite;               // per halfedge: the opposite one, -1 on the border
+  std::vector<int> edge_of;                // per halfedge: its edge
+  std::vector<int> halfedge_of_edge;       // per edge: the image of `halfedge(e, tm)`, or of its
+                                           // opposite where that lies on the border
+  std::vector<int> halfedge_of_vertex;     // per vertex: one that leaves it (on the border: the
+                                           // one such that turning clockwise leaves the mesh),
+                                           // -1 if the vertex is isolated
+  int non_manifold_vertex = -1;            // one around which the faces form several fans, of which
+                                           // `halfedge_of_vertex` knows one; -1 if there is none
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_faces() const { return static_cast<int>(corners.size()); }
@@ -161,8 +161,8 @@ inline void split_non_manifold_vertices(Indexed_triangle_mesh& m)
 // `VertexIndexMap` and `FaceIndexMap` give consecutive numbers from 0, as `vertex_numbers()` and `face_numbers()` make
 // them. `non_manifold_vertex` tells whether vertices are manifold.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap, typename FaceIndexMap>
-Indexed_triangle_mesh
-make_indexed_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexIndexMap vim, FaceIndexMap fim)
+Indexed_triangle_mesh make_indexed_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexIndexMap vim,
+                                                 FaceIndexMap fim)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -184,9 +184,8 @@ make_indexed_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexInd
   for(auto f : faces(tm))
   {
     const halfedge_descriptor h = halfedge(f, tm);
-    m.corners[get(fim, f)] = {{ static_cast<int>(get(vim, source(h, tm))),
-                                static_cast<int>(get(vim, target(h, tm))),
-                                static_cast<int>(get(vim, target(next(h, tm), tm))) }};
+    m.corners[get(fim, f)] = { { static_cast<int>(get(vim, source(h, tm))), static_cast<int>(get(vim, target(h, tm))),
+                                 static_cast<int>(get(vim, target(next(h, tm), tm))) } };
     ++nf;
   }
   m.corners.resize(nf);
@@ -202,12 +201,21 @@ make_indexed_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexInd
 
   m.opposite.assign(3 * nf, -1);
   m.edge_of.assign(3 * nf, -1);
-  for_each_edge_of_faces(tm, [&](auto e, int id)
-  {
+  for_each_edge_of_faces(tm,
+                         [&](auto e, int id)
+                         {
     const int h = index(halfedge(e, tm)), o = index(opposite(halfedge(e, tm), tm));
     m.halfedge_of_edge.push_back(h != -1 ? h : o);
-    if(h != -1) { m.opposite[h] = o; m.edge_of[h] = id; }
-    if(o != -1) { m.opposite[o] = h; m.edge_of[o] = id; }
+    if(h != -1)
+    {
+      m.opposite[h] = o;
+      m.edge_of[h] = id;
+    }
+    if(o != -1)
+    {
+      m.opposite[o] = h;
+      m.edge_of[o] = id;
+    }
   });
 
   m.halfedge_of_vertex.assign(nv, -1);

@@ -31,17 +31,14 @@ typedef Simple_cartesian<double>::Vector_3 Shape_vector_3;
 // sides that meet there, signed by that normal, and `scaled_jacobian` the same of unit sides.
 struct Quad_shape
 {
-  Shape_vector_3 normal;                // unit, or zero for a quad without area
-  double area;                          // of the projection along the normal
-  std::array<double, 4> length;         // of side k, from corner k to corner k+1
+  Shape_vector_3 normal;        // unit, or zero for a quad without area
+  double area;                  // of the projection along the normal
+  std::array<double, 4> length; // of side k, from corner k to corner k+1
   std::array<double, 4> scaled_jacobian;
-  std::array<double, 4> angle;          // interior, in degrees, in [0, 360)
-  double planarity;                     // gap between the diagonals over the mean side
+  std::array<double, 4> angle; // interior, in degrees, in [0, 360)
+  double planarity;            // gap between the diagonals over the mean side
 
-  double minimal_scaled_jacobian() const
-  {
-    return *std::min_element(scaled_jacobian.begin(), scaled_jacobian.end());
-  }
+  double minimal_scaled_jacobian() const { return *std::min_element(scaled_jacobian.begin(), scaled_jacobian.end()); }
 
   double aspect_ratio() const
   {
@@ -85,9 +82,8 @@ inline Quad_shape shape_of_quad(const std::array<Shape_point_3, 4>& p)
 }
 
 // The smallest scaled jacobian alone, which is what the inner loops need.
-inline double minimal_scaled_jacobian(const Shape_point_3& p0, const Shape_point_3& p1,
-                                      const Shape_point_3& p2, const Shape_point_3& p3,
-                                      Shape_vector_3& normal)
+inline double minimal_scaled_jacobian(const Shape_point_3& p0, const Shape_point_3& p1, const Shape_point_3& p2,
+                                      const Shape_point_3& p3, Shape_vector_3& normal)
 {
   normal = unit_or_zero(cross_product(p2 - p0, p3 - p1));
   const Shape_vector_3 side[4] = { p1 - p0, p2 - p1, p3 - p2, p0 - p3 };

@@ -21,10 +21,10 @@ namespace internal {
 // The properties of vertices that must not be merged with each other.
 struct Quad_vertex_rules
 {
-  std::vector<char> is_special;     // irregular, or a corner of the features: no two become one
-  std::vector<char> is_irregular;   // these do not move onto a feature or the border
-  std::vector<char> on_feature;     // two features do not become one ...
-  std::vector<char> on_border;      // ... nor do two borders
+  std::vector<char> is_special;   // irregular, or a corner of the features: no two become one
+  std::vector<char> is_irregular; // these do not move onto a feature or the border
+  std::vector<char> on_feature;   // two features do not become one ...
+  std::vector<char> on_border;    // ... nor do two borders
 };
 
 inline Quad_vertex_rules make_quad_vertex_rules(const Indexed_quad_mesh& m, bool merge_singularities)

@@ -45,8 +45,7 @@ public:
     Point_3 point;
   };
 
-  explicit Reference_surface(Indexed_triangle_mesh mesh)
-    : m_mesh(std::move(mesh)), m_normals(m_mesh.corners.size())
+  explicit Reference_surface(Indexed_triangle_mesh mesh) : m_mesh(std::move(mesh)), m_normals(m_mesh.corners.size())
   {
     for(std::size_t f = 0; f < m_normals.size(); ++f)
     {
@@ -136,7 +135,11 @@ public:
 
 private:
   // Where in its triangle a closest point lies: side k is k, corner k is first_corner + k.
-  enum { first_corner = 3, inside = 6 };
+  enum
+  {
+    first_corner = 3,
+    inside = 6
+  };
 
   // Closest point in the plane of a triangle by the regions of its sides and corners
   // (Ericson 2005, Real-Time Collision Detection, section 5.1.5).
@@ -146,17 +149,37 @@ private:
     const Point_3 &a = m_mesh.points[c[0]], &b = m_mesh.points[c[1]], &d = m_mesh.points[c[2]];
     const Vector_3 ab = b - a, ad = d - a, ap = p - a;
     const double d1 = ab * ap, d2 = ad * ap;
-    if(d1 <= 0 && d2 <= 0) { closest = a; return first_corner; }
+    if(d1 <= 0 && d2 <= 0)
+    {
+      closest = a;
+      return first_corner;
+    }
     const Vector_3 bp = p - b;
     const double d3 = ab * bp, d4 = ad * bp;
-    if(d3 >= 0 && d4 <= d3) { closest = b; return first_corner + 1; }
+    if(d3 >= 0 && d4 <= d3)
+    {
+      closest = b;
+      return first_corner + 1;
+    }
     const double vc = d1 * d4 - d3 * d2;
-    if(vc <= 0 && d1 >= 0 && d3 <= 0) { closest = a + ratio(d1, d1 - d3) * ab; return 0; }
+    if(vc <= 0 && d1 >= 0 && d3 <= 0)
+    {
+      closest = a + ratio(d1, d1 - d3) * ab;
+      return 0;
+    }
     const Vector_3 dp = p - d;
     const double d5 = ab * dp, d6 = ad * dp;
-    if(d6 >= 0 && d5 <= d6) { closest = d; return first_corner + 2; }
+    if(d6 >= 0 && d5 <= d6)
+    {
+      closest = d;
+      return first_corner + 2;
+    }
     const double vb = d5 * d2 - d1 * d6;
-    if(vb <= 0 && d2 >= 0 && d6 <= 0) { closest = a + ratio(d2, d2 - d6) * ad; return 2; }
+    if(vb <= 0 && d2 >= 0 && d6 <= 0)
+    {
+      closest = a + ratio(d2, d2 - d6) * ad;
+      return 2;
+    }
     const double va = d3 * d6 - d5 * d4;
     if(va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
     {
@@ -164,15 +187,16 @@ private:
       return 1;
     }
     const double sum = va + vb + vc;
-    if(!(sum > 0)) { closest = a; return first_corner; }
+    if(!(sum > 0))
+    {
+      closest = a;
+      return first_corner;
+    }
     closest = a + (vb / sum) * ab + (vc / sum) * ad;
     return inside;
   }
 
-  static double ratio(double numerator, double denominator)
-  {
-    return denominator > 0 ? numerator / denominator : 0;
-  }
+  static double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
 
   struct Primitive
   {
@@ -180,9 +204,7 @@ private:
     typedef Point_3 Point;
     typedef Triangle_3 Datum;
 
-    Primitive(std::vector<int>::const_iterator f, const Reference_surface* surface)
-      : face(*f), surface(surface)
-    {}
+    Primitive(std::vector<int>::const_iterator f, const Reference_surface* surface) : face(*f), surface(surface) {}
 
     int face;
     const Reference_surface* surface;
@@ -191,7 +213,7 @@ private:
     Datum datum() const { return surface->triangle(face); }
     Point reference_point() const { return surface->m_mesh.points[surface->m_mesh.corners[face][0]]; }
   };
-  typedef AABB_tree<Aabb_traits<Kernel, Primitive> > Tree;
+  typedef AABB_tree<Aabb_traits<Kernel, Primitive>> Tree;
 
   void build_tree()
   {
@@ -208,9 +230,9 @@ private:
   }
 
   Indexed_triangle_mesh m_mesh;
-  std::vector<Vector_3> m_normals;        // per face: unit, zero if it has no area
-  std::unique_ptr<Tree> m_tree;           // built at the first call of locate()
-  int m_first_face = -1;                  // a face that has area
+  std::vector<Vector_3> m_normals; // per face: unit, zero if it has no area
+  std::unique_ptr<Tree> m_tree;    // built at the first call of locate()
+  int m_first_face = -1;           // a face that has area
 
 public:
   // The tree points back to this object.
@@ -228,12 +250,16 @@ inline Indexed_triangle_mesh triangulated_quad_mesh(const Indexed_quad_mesh& qm)
   tm.corners.resize(2 * nf);
   tm.opposite.assign(6 * nf, -1);
   // halfedge k of face f becomes this one; 6*f+2 and 6*f+3 are the diagonal
-  auto image = [](int h) { const int k = h & 3; return 6 * (h / 4) + (k < 2 ? k : k + 2); };
+  auto image = [](int h)
+  {
+    const int k = h & 3;
+    return 6 * (h / 4) + (k < 2 ? k : k + 2);
+  };
   for(int f = 0; f < nf; ++f)
   {
     const std::array<int, 4>& c = qm.corners[f];
-    tm.corners[2 * f] = {{ c[0], c[1], c[2] }};
-    tm.corners[2 * f + 1] = {{ c[0], c[2], c[3] }};
+    tm.corners[2 * f] = { { c[0], c[1], c[2] } };
+    tm.corners[2 * f + 1] = { { c[0], c[2], c[3] } };
     tm.opposite[6 * f + 2] = 6 * f + 3;
     tm.opposite[6 * f + 3] = 6 * f + 2;
     for(int h = 4 * f; h < 4 * f + 4; ++h)

@@ -46,7 +46,7 @@ struct Regularized_determinant
   static double epsilon_for(double worst)
   {
     const double least_square = 1e-12; // of a map about to unfold; determinants are of the order of one
-    const double share = 0.04;         // of the square of the worst determinant, as in the listing of Garanzha et al. 2021
+    const double share = 0.04; // of the square of the worst determinant, as in the listing of Garanzha et al. 2021
     return worst <= 0 ? std::sqrt(least_square + share * worst * worst) : 0.;
   }
 

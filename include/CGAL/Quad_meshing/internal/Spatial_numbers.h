@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The numbers that elements get when they are sorted by keys from 0 to n - 1; elements of the same key keep their order.
+// The numbers that elements get when they are sorted by keys from 0 to n - 1; elements of the same key keep their
+// order.
 inline std::vector<int> numbers_in_order(const std::vector<int>& keys, std::size_t n)
 {
   std::vector<int> next(n, 0);
@@ -39,8 +40,8 @@ inline std::vector<int> numbers_in_order(const std::vector<int>& keys, std::size
   return numbers;
 }
 
-// The cells of a grid of about as many cells as there are points, in the order of the Z-curve (Morton 1966): most cells that are neighbours in space
-// are near each other in that order.
+// The cells of a grid of about as many cells as there are points, in the order of the Z-curve (Morton 1966): most cells
+// that are neighbours in space are near each other in that order.
 class Z_curve
 {
 public:
@@ -66,7 +67,8 @@ public:
     int cell = 0;
     for(int k = 0; k < 3; ++k)
     {
-      const int place = (std::min)(static_cast<int>((p[k] / 2 - m_corner[k]) / m_extent * cells_of_side()), cells_of_side() - 1);
+      const int place =
+        (std::min)(static_cast<int>((p[k] / 2 - m_corner[k]) / m_extent * cells_of_side()), cells_of_side() - 1);
       for(int bit = 0; bit < m_bits; ++bit)
         cell |= (place >> bit & 1) << (3 * bit + k);
     }

@@ -81,7 +81,8 @@ class Small_steps
 public:
   Small_steps(Stage_progress& progress, int steps_per_report)
     : m_progress(progress), m_steps_per_report(steps_per_report), m_left(steps_per_report)
-  {}
+  {
+  }
 
   bool go_further()
   {

@@ -19,10 +19,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A visitor with a clock. It remembers that the user has asked for an end, ends the work when its time is up, and lets the
-// progress move on a little, wherever it is asked whether to go further, when it has rested for some time.
-class Watched_visitor
-  : public Any_visitor
+// A visitor with a clock. It remembers that the user has asked for an end, ends the work when its time is up, and lets
+// the progress move on a little, wherever it is asked whether to go further, when it has rested for some time.
+class Watched_visitor : public Any_visitor
 {
   typedef std::chrono::steady_clock Clock;
 
@@ -31,10 +30,10 @@ public:
   static constexpr double longest_rest = 0.05, part_of_rest = 0.005;
 
   // `maximum_running_time` is in seconds from now on.
-  explicit Watched_visitor(Any_visitor& visitor,
-                           double maximum_running_time = std::numeric_limits<double>::infinity())
+  explicit Watched_visitor(Any_visitor& visitor, double maximum_running_time = std::numeric_limits<double>::infinity())
     : m_visitor(visitor), m_maximum_running_time(maximum_running_time), m_start(Clock::now()), m_last_progress(m_start)
-  {}
+  {
+  }
 
   void on_stage_begin(const std::string& name) override
   {
@@ -86,8 +85,7 @@ private:
 };
 
 // A visitor for a part of some work: its stages and its progress are not those of the whole.
-class Silent_visitor
-  : public Any_visitor
+class Silent_visitor : public Any_visitor
 {
 public:
   explicit Silent_visitor(Any_visitor& visitor) : m_visitor(visitor) {}

@@ -14,9 +14,9 @@
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000
-#  include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_traits_3.h>
 #else
-#  include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_traits.h>
 #endif
 
 namespace CGAL {

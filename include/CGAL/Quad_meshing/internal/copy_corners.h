@@ -23,9 +23,9 @@ namespace internal {
 // 3f+k is the source of halfedge 3f+k of an Indexed_triangle_mesh. `FaceIndexMap` is the one that the flat mesh was
 // made with.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceIndexMap>
-std::vector<std::array<double, 2> > copy_corners(const TriangleMesh& tm, HalfedgeUVMap uv, FaceIndexMap fim)
+std::vector<std::array<double, 2>> copy_corners(const TriangleMesh& tm, HalfedgeUVMap uv, FaceIndexMap fim)
 {
-  std::vector<std::array<double, 2> > corners(3 * faces(tm).size()); // at least as many as there are
+  std::vector<std::array<double, 2>> corners(3 * faces(tm).size()); // at least as many as there are
   for(auto f : faces(tm))
   {
     auto h = halfedge(f, tm);
@@ -33,7 +33,7 @@ std::vector<std::array<double, 2> > copy_corners(const TriangleMesh& tm, Halfedg
     for(std::size_t k = 1; k <= 3; ++k)
     {
       const auto& p = get(uv, h);
-      corners[i + k % 3] = {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()) }};
+      corners[i + k % 3] = { { CGAL::to_double(p.x()), CGAL::to_double(p.y()) } };
       h = next(h, tm);
     }
   }

@@ -36,8 +36,7 @@ public:
   typedef boost::readable_property_map_tag category;
 
   template <typename Range>
-  Element_numbers(const Range& elements, IndexMap index)
-    : m_index(index)
+  Element_numbers(const Range& elements, IndexMap index) : m_index(index)
   {
     std::size_t n = 0, end = 0;
     for(const Element& e : elements)
@@ -47,7 +46,7 @@ public:
     }
     if(end <= n)
       return;
-    m_number = std::make_shared<std::vector<std::size_t> >(end, 0);
+    m_number = std::make_shared<std::vector<std::size_t>>(end, 0);
     n = 0;
     for(const Element& e : elements)
       (*m_number)[get(m_index, e)] = n++;
@@ -61,7 +60,7 @@ public:
 
 private:
   IndexMap m_index;
-  std::shared_ptr<std::vector<std::size_t> > m_number; // per index; empty if there are no gaps
+  std::shared_ptr<std::vector<std::size_t>> m_number; // per index; empty if there are no gaps
 };
 
 // The `vertex_index_map` of the named parameters or of the mesh, without gaps.

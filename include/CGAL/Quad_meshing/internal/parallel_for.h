@@ -24,7 +24,8 @@ template <typename Work>
 void parallel_for(std::size_t n, unsigned int number_of_threads, const Work& work)
 {
   const std::size_t least_per_thread = 500; // starting a thread costs as much as some hundred calls
-  const std::size_t threads = (std::max)(std::size_t(1), (std::min)(std::size_t(number_of_threads), n / least_per_thread));
+  const std::size_t threads =
+    (std::max)(std::size_t(1), (std::min)(std::size_t(number_of_threads), n / least_per_thread));
   auto part = [&](std::size_t t)
   {
     for(std::size_t i = n * t / threads; i < n * (t + 1) / threads; ++i)

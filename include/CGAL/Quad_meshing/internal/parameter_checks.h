@@ -27,26 +27,34 @@ template <typename Tag, typename... Known>
 struct Function_takes_parameter
 {
   static constexpr bool value = (std::is_same<Tag, Known>::value || ...);
-  static_assert(value, "This function does not take the named parameter whose tag is the first argument of Function_takes_parameter.");
+  static_assert(
+    value,
+    "This function does not take the named parameter whose tag is the first argument of Function_takes_parameter.");
 };
 
 template <typename... Known>
-struct Function_takes_parameter<internal_np::all_default_t, Known...> : std::true_type {};
+struct Function_takes_parameter<internal_np::all_default_t, Known...> : std::true_type
+{
+};
 
 // Whether a function that knows some parameters takes all those of a pack.
 template <typename Pack, typename... Known>
-struct Takes_parameters : std::true_type {}; // the end of the chain
+struct Takes_parameters : std::true_type
+{
+}; // the end of the chain
 
 template <typename T, typename Tag, typename Base, typename... Known>
 struct Takes_parameters<Named_function_parameters<T, Tag, Base>, Known...>
 {
-  static constexpr bool value = Function_takes_parameter<Tag, Known...>::value && Takes_parameters<Base, Known...>::value;
+  static constexpr bool value =
+    Function_takes_parameter<Tag, Known...>::value && Takes_parameters<Base, Known...>::value;
 };
 
 template <typename T, typename Tag, typename Base, typename... Known>
 struct Takes_parameters<internal_np::Quad_meshing_np_link<T, Tag, Base>, Known...>
 {
-  static constexpr bool value = Function_takes_parameter<Tag, Known...>::value && Takes_parameters<Base, Known...>::value;
+  static constexpr bool value =
+    Function_takes_parameter<Tag, Known...>::value && Takes_parameters<Base, Known...>::value;
 };
 
 // Maps are judged by their traits, as calls of Boost's get() fail inside, not in the signature.
@@ -59,18 +67,23 @@ struct Is_readable_map
 };
 
 template <typename T, typename = void>
-struct Is_optional_like : std::false_type {};
+struct Is_optional_like : std::false_type
+{
+};
 
 template <typename T>
-struct Is_optional_like<T, std::void_t<decltype(static_cast<bool>(std::declval<const T&>())), decltype(*std::declval<const T&>())> >
-  : std::true_type {};
+struct Is_optional_like<
+  T, std::void_t<decltype(static_cast<bool>(std::declval<const T&>())), decltype(*std::declval<const T&>())>>
+  : std::true_type
+{
+};
 
 template <typename Map, typename Key>
 struct Is_readable_map_of_optionals
 {
   typedef boost::property_traits<Map> Traits;
-  static constexpr bool value = std::is_convertible<Key, typename Traits::key_type>::value &&
-                                Is_optional_like<typename Traits::value_type>::value;
+  static constexpr bool value =
+    std::is_convertible<Key, typename Traits::key_type>::value && Is_optional_like<typename Traits::value_type>::value;
 };
 
 // The type of a parameter of a pack, or `Default`.

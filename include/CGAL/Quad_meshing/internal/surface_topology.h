@@ -45,8 +45,8 @@ struct Halfedge_arrays
 {
   std::vector<int> opposite;
   std::vector<int> next;
-  std::vector<int> face;          // -1 on the border
-  std::vector<int> source;        // vertices
+  std::vector<int> face;   // -1 on the border
+  std::vector<int> source; // vertices
   int number_of_faces = 0;
   int number_of_vertices = 0;
 };
@@ -56,7 +56,7 @@ struct Halfedge_arrays
 inline std::vector<Component_topology> surface_topology(const Halfedge_arrays& a)
 {
   const int n = static_cast<int>(a.opposite.size());
-  std::vector<std::vector<int> > halfedges_of_face(a.number_of_faces);
+  std::vector<std::vector<int>> halfedges_of_face(a.number_of_faces);
   for(int h = 0; h < n; ++h)
     if(a.face[h] != -1)
       halfedges_of_face[a.face[h]].push_back(h);

@@ -26,8 +26,8 @@ namespace internal {
 // allocated, because there are not more edges than before.
 template <typename QuadMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
 void write_quad_mesh(const Indexed_quad_mesh& m, const std::vector<int>& vertex_origin,
-                     const std::vector<int>& face_origin, const Indexed_quad_mesh_copy<QuadMesh>& copy,
-                     QuadMesh& qm, VertexPointMap vpm, EdgeIsConstrainedMap ecm)
+                     const std::vector<int>& face_origin, const Indexed_quad_mesh_copy<QuadMesh>& copy, QuadMesh& qm,
+                     VertexPointMap vpm, EdgeIsConstrainedMap ecm)
 {
   typedef boost::graph_traits<QuadMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;

@@ -21,20 +21,23 @@ namespace internal {
 // the face of r is on its left.
 struct Grid_graph
 {
-  enum { NONE = -1,          // no ray follows: the border of the surface lies there
-         CUT_BY_BORDER = -1, // the ray leaves the surface before it reaches another node
-         FAILED = -2,        // the ray could not be followed
-         REMOVED = -3 };
+  enum
+  {
+    NONE = -1,          // no ray follows: the border of the surface lies there
+    CUT_BY_BORDER = -1, // the ray leaves the surface before it reaches another node
+    FAILED = -2,        // the ray could not be followed
+    REMOVED = -3
+  };
 
-  std::vector<int> node;        // per ray: where it starts
-  std::vector<int> opposite;    // per ray: the one it runs to, or a reason why there is none
+  std::vector<int> node;           // per ray: where it starts
+  std::vector<int> opposite;       // per ray: the one it runs to, or a reason why there is none
   std::vector<signed char> sign;   // per ray: orientation of the map where it starts
   std::vector<signed char> length; // per ray: of its edge, in the direction of the ray; 1 but at fold-overs
   std::vector<char> open_on_left;  // per ray: the border touches its edge from the left
-  std::vector<int> ccw, cw;     // per ray: the next one around its node, or NONE
-  std::vector<int> first;       // per node: one of its rays, or NONE; at a border the one with no ray before it
-  std::vector<int> face;        // per ray: the face on its left, or NONE where that is open to the border
-  std::vector<int> degree;      // per face
+  std::vector<int> ccw, cw;        // per ray: the next one around its node, or NONE
+  std::vector<int> first;          // per node: one of its rays, or NONE; at a border the one with no ray before it
+  std::vector<int> face;           // per ray: the face on its left, or NONE where that is open to the border
+  std::vector<int> degree;         // per face
 
   int number_of_nodes() const { return static_cast<int>(first.size()); }
   int number_of_rays() const { return static_cast<int>(node.size()); }
@@ -74,8 +77,10 @@ struct Grid_graph
     const int n = node[r];
     if(first[n] == r)
       first[n] = (ccw[r] == r) ? static_cast<int>(NONE) : ccw[r];
-    if(ccw[r] != NONE) cw[ccw[r]] = cw[r];
-    if(cw[r] != NONE) ccw[cw[r]] = ccw[r];
+    if(ccw[r] != NONE)
+      cw[ccw[r]] = cw[r];
+    if(cw[r] != NONE)
+      ccw[cw[r]] = ccw[r];
     opposite[r] = REMOVED;
   }
 
@@ -96,8 +101,10 @@ struct Grid_graph
     for_each_ray_of_node(q, [&](int s) { node[s] = p; });
     auto link = [&](int s, int t)
     {
-      if(s != NONE) ccw[s] = t;
-      if(t != NONE) cw[t] = s;
+      if(s != NONE)
+        ccw[s] = t;
+      if(t != NONE)
+        cw[t] = s;
     };
     const bool p_is_alone = before == r, q_is_alone = to == o;
     int start = q_is_alone ? after : to;

@@ -65,8 +65,8 @@ public:
 
 private:
   Grid_graph& m_graph;
-  std::vector<signed char> m_sign;  // per node: orientation of the map there, 0 for contracted clusters
-  std::vector<char> m_lost;      // per node: has lost a ray
+  std::vector<signed char> m_sign; // per node: orientation of the map there, 0 for contracted clusters
+  std::vector<char> m_lost;        // per node: has lost a ray
 
   void remove_edge(int r)
   {
@@ -108,10 +108,14 @@ private:
     {
       // The line runs on in the same direction of the chart if it comes from where the orientation is the same.
       const int over_a = m_graph.length[a], over_b = m_graph.length[b];
-      if(x >= 0) m_graph.length[x] = static_cast<signed char>(over_a + m_graph.sign[x] * m_graph.sign[a] * over_b);
-      if(y >= 0) m_graph.length[y] = static_cast<signed char>(over_b + m_graph.sign[y] * m_graph.sign[b] * over_a);
-      if(x >= 0) m_graph.opposite[x] = y;
-      if(y >= 0) m_graph.opposite[y] = x;
+      if(x >= 0)
+        m_graph.length[x] = static_cast<signed char>(over_a + m_graph.sign[x] * m_graph.sign[a] * over_b);
+      if(y >= 0)
+        m_graph.length[y] = static_cast<signed char>(over_b + m_graph.sign[y] * m_graph.sign[b] * over_a);
+      if(x >= 0)
+        m_graph.opposite[x] = y;
+      if(y >= 0)
+        m_graph.opposite[y] = x;
     }
     m_graph.unlink(a);
     m_graph.unlink(b);
@@ -213,7 +217,7 @@ private:
   {
     bool changed = false;
     for(int n = 0; n < m_graph.number_of_nodes(); ++n)
-      for(int m = n; m_lost[m]; )
+      for(int m = n; m_lost[m];)
       {
         const int d = inner_degree(m), r = m_graph.first[m];
         if(d != 1 && d != 2)
@@ -273,10 +277,7 @@ private:
     return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
   }
 
-  bool is_odd(int r) const
-  {
-    return m_graph.face[r] >= 0 && m_graph.degree[m_graph.face[r]] % 2 == 1;
-  }
+  bool is_odd(int r) const { return m_graph.face[r] >= 0 && m_graph.degree[m_graph.face[r]] % 2 == 1; }
 
   void join_odd_faces()
   {
@@ -286,18 +287,21 @@ private:
     for(int r = 0; r < m_graph.number_of_rays(); ++r)
     {
       const int o = m_graph.opposite[r];
-      if(o < r || !is_odd(r) || !is_odd(o) || m_graph.face[r] == m_graph.face[o]
-         || done[m_graph.face[r]] || done[m_graph.face[o]]
-         || m_graph.degree[m_graph.face[r]] + m_graph.degree[m_graph.face[o]] - 2 > m_largest_degree)
+      if(o < r || !is_odd(r) || !is_odd(o) || m_graph.face[r] == m_graph.face[o] || done[m_graph.face[r]] ||
+         done[m_graph.face[o]] ||
+         m_graph.degree[m_graph.face[r]] + m_graph.degree[m_graph.face[o]] - 2 > m_largest_degree)
         continue;
       // The joined polygon must be simple: the two faces share the nodes of this edge and no other.
       if(!collect(r, a) || !collect(o, b))
         continue;
       nodes.clear();
-      for(int s : a) nodes.push_back(m_graph.node[s]);
-      for(int s : b) nodes.push_back(m_graph.node[s]);
+      for(int s : a)
+        nodes.push_back(m_graph.node[s]);
+      for(int s : b)
+        nodes.push_back(m_graph.node[s]);
       std::sort(nodes.begin(), nodes.end());
-      if(std::unique(nodes.begin(), nodes.end()) - nodes.begin() != static_cast<std::ptrdiff_t>(a.size() + b.size() - 2))
+      if(std::unique(nodes.begin(), nodes.end()) - nodes.begin() !=
+         static_cast<std::ptrdiff_t>(a.size() + b.size() - 2))
         continue;
       done[m_graph.face[r]] = done[m_graph.face[o]] = true;
       m_graph.remove_edge(r);

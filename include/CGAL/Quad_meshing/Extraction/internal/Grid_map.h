@@ -66,7 +66,7 @@ struct Grid_map
   const Mesh& mesh;
   std::vector<Point_2> uv;
   std::vector<Grid_automorphism> transition;
-  std::vector<signed char> sign;              // per face: orientation of its image
+  std::vector<signed char> sign; // per face: orientation of its image
 
   explicit Grid_map(const Mesh& m) : mesh(m) {}
 
@@ -89,8 +89,10 @@ inline int first_direction(const Point& from, const Point& to)
 {
   const int sx = (to.x() > from.x()) - (to.x() < from.x());
   const int sy = (to.y() > from.y()) - (to.y() < from.y());
-  if(sy > 0) return sx > 0 ? 1 : sx < 0 ? 2 : 1;
-  if(sy < 0) return sx > 0 ? 0 : 3;
+  if(sy > 0)
+    return sx > 0 ? 1 : sx < 0 ? 2 : 1;
+  if(sy < 0)
+    return sx > 0 ? 0 : 3;
   return sx > 0 ? 0 : sx < 0 ? 2 : -1;
 }
 
@@ -156,8 +158,9 @@ inline int number_of_singular_vertices_off_grid(const Grid_map& map)
       continue;
     int quarters = 0;
     bool positive = true;
-    for_each_corner_of_vertex(map.mesh, v, [&](int g)
-    {
+    for_each_corner_of_vertex(map.mesh, v,
+                              [&](int g)
+                              {
       positive &= map.sign[g / 3] > 0;
       for_each_direction_in_sector(map, g, [&](int, int) { ++quarters; });
     });

@@ -36,7 +36,8 @@ public:
   // If the visitor stops it, the map is left as it is then.
   Grid_map_repair(Grid_map& map, Stage_progress& progress)
     : m_map(map), m_mesh(map.mesh), m_progress(progress), m_quantum(quantum(map))
-  {}
+  {
+  }
 
   double largest_change = 0;
   std::size_t moved_vertices = 0;
@@ -158,13 +159,17 @@ private:
   // A vertex takes some microseconds.
   static const int vertices_per_report = 4096;
 
-  struct Sector { int h; Grid_automorphism to_first; };
+  struct Sector
+  {
+    int h;
+    Grid_automorphism to_first;
+  };
 
   Grid_map& m_map;
   const Mesh& m_mesh;
   Stage_progress& m_progress;
   const double m_quantum;
-  int m_attempts_left = 1000000;   // a map with this much to unfold is beyond repair, and the time is limited
+  int m_attempts_left = 1000000; // a map with this much to unfold is beyond repair, and the time is limited
   std::vector<Sector> m_fan;
   std::vector<Point_2> m_link, m_kernel, m_clipped, m_old;
 
@@ -230,8 +235,8 @@ private:
   void update_signs_around(const std::vector<int>& vertices)
   {
     for(int v : vertices)
-      for_each_corner_of_vertex(m_mesh, v, [&](int h)
-      { m_map.sign[h / 3] = static_cast<signed char>(m_map.orientation_of_face(h / 3)); });
+      for_each_corner_of_vertex(
+        m_mesh, v, [&](int h) { m_map.sign[h / 3] = static_cast<signed char>(m_map.orientation_of_face(h / 3)); });
   }
 
   double quantized(double x) const { return std::floor(x / m_quantum + 0.5) * m_quantum; }
@@ -250,8 +255,8 @@ private:
   bool unfold(int v, Grid_automorphism& holonomy)
   {
     m_fan.clear();
-    for_each_corner_of_vertex(m_mesh, v, [&](int h)
-    {
+    for_each_corner_of_vertex(m_mesh, v,
+                              [&](int h) {
       m_fan.push_back(Sector{ h, m_fan.empty() ? Grid_automorphism() : m_fan.back().to_first * m_map.transition[h] });
     });
     const int first = m_fan.front().h;
@@ -288,7 +293,7 @@ private:
   // the others can be moved apart.
   void choose_rotations_of_points(const std::vector<int>& inexact)
   {
-    std::vector<std::vector<int> > leaving(m_mesh.number_of_vertices());    // edges whose image is a point
+    std::vector<std::vector<int>> leaving(m_mesh.number_of_vertices()); // edges whose image is a point
     for(int h : inexact)
     {
       const int o = m_mesh.opposite[h];
@@ -303,14 +308,14 @@ private:
     std::vector<char> done(m_mesh.number_of_vertices(), false);
     for(bool on_border : { true, false })
       for(int root = 0; root < m_mesh.number_of_vertices(); ++root)
-        if(!done[root] && !leaving[root].empty()
-           && on_border == (m_mesh.previous_around_source(m_mesh.halfedge_of_vertex[root]) == -1))
+        if(!done[root] && !leaving[root].empty() &&
+           on_border == (m_mesh.previous_around_source(m_mesh.halfedge_of_vertex[root]) == -1))
           make_all_but_root_regular(root, leaving, done);
   }
 
-  void make_all_but_root_regular(int root, const std::vector<std::vector<int> >& leaving, std::vector<char>& done)
+  void make_all_but_root_regular(int root, const std::vector<std::vector<int>>& leaving, std::vector<char>& done)
   {
-    std::vector<int> tree;      // halfedges away from the root, breadth first
+    std::vector<int> tree; // halfedges away from the root, breadth first
     std::vector<int> vertices(1, root);
     done[root] = true;
     for(std::size_t i = 0; i < vertices.size(); ++i)
@@ -382,9 +387,21 @@ private:
       x = snapped(x);
       y = snapped(y);
     }
-    else if(g.r == 1) { x = (g.tx - g.ty) / 2; y = (g.tx + g.ty) / 2; }
-    else if(g.r == 2) { x = g.tx / 2;          y = g.ty / 2; }
-    else              { x = (g.tx + g.ty) / 2; y = (g.ty - g.tx) / 2; }
+    else if(g.r == 1)
+    {
+      x = (g.tx - g.ty) / 2;
+      y = (g.tx + g.ty) / 2;
+    }
+    else if(g.r == 2)
+    {
+      x = g.tx / 2;
+      y = g.ty / 2;
+    }
+    else
+    {
+      x = (g.tx + g.ty) / 2;
+      y = (g.ty - g.tx) / 2;
+    }
     assign(Point_2(x, y));
   }
 
@@ -413,12 +430,16 @@ private:
     double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL;
     for(const Point_2& q : m_link)
     {
-      x0 = (std::min)(x0, q.x()); x1 = (std::max)(x1, q.x());
-      y0 = (std::min)(y0, q.y()); y1 = (std::max)(y1, q.y());
+      x0 = (std::min)(x0, q.x());
+      x1 = (std::max)(x1, q.x());
+      y0 = (std::min)(y0, q.y());
+      y1 = (std::max)(y1, q.y());
     }
     const bool keep_x = keep_on_isolines && is_integer(p.x()), keep_y = keep_on_isolines && is_integer(p.y());
-    if(keep_x) x0 = x1 = p.x();
-    if(keep_y) y0 = y1 = p.y();
+    if(keep_x)
+      x0 = x1 = p.x();
+    if(keep_y)
+      y0 = y1 = p.y();
     m_kernel = { Point_2(x0, y0), Point_2(x1, y0), Point_2(x1, y1), Point_2(x0, y1) };
     for(std::size_t i = 0; i < m_link.size() && !m_kernel.empty(); ++i)
       clip(m_link[i], m_link[(i + 1) % m_link.size()]);
@@ -437,8 +458,8 @@ private:
       m_old.push_back(m_map.uv[s.h]);
     assign(c);
     // The clipping is done in floating point; what counts is this.
-    const bool positive = std::all_of(m_fan.begin(), m_fan.end(), [&](const Sector& s)
-    { return m_map.orientation_of_face(s.h / 3) > 0; });
+    const bool positive =
+      std::all_of(m_fan.begin(), m_fan.end(), [&](const Sector& s) { return m_map.orientation_of_face(s.h / 3) > 0; });
     for(std::size_t i = 0; i < m_fan.size(); ++i)
     {
       if(positive)

@@ -40,20 +40,20 @@ class Grid_nodes
 public:
   typedef Grid_map::Point_2 Point_2;
 
-  std::vector<int> node_halfedge;         // per node: see `ray_halfedge`
-  std::vector<Point_2> node_point;        // per node: its image in the chart of the face of `node_halfedge`
-  std::vector<int> first_ray;             // per node, and one more
-  std::vector<char> on_border;            // per node
+  std::vector<int> node_halfedge;  // per node: see `ray_halfedge`
+  std::vector<Point_2> node_point; // per node: its image in the chart of the face of `node_halfedge`
+  std::vector<int> first_ray;      // per node, and one more
+  std::vector<char> on_border;     // per node
 
   std::vector<int> ray_node;
   std::vector<int> ray_halfedge;
   std::vector<signed char> ray_direction;
-  std::vector<signed char> ray_sign;      // orientation of the sector
+  std::vector<signed char> ray_sign; // orientation of the sector
   std::vector<int> mate;
 
-  std::vector<int> node_of_vertex;        // per mesh vertex: its node, or -1
-  std::vector<int> first_on_edge;         // per edge, and one more: its first node
-  std::vector<int> first_in_face;         // per face, and one more: its first node
+  std::vector<int> node_of_vertex; // per mesh vertex: its node, or -1
+  std::vector<int> first_on_edge;  // per edge, and one more: its first node
+  std::vector<int> first_in_face;  // per face, and one more: its first node
 
   // Not to be used if the visitor stops it.
   Grid_nodes(const Grid_map& map, Stage_progress& progress) : m_map(map), m_mesh(map.mesh), m_progress(progress)
@@ -86,15 +86,15 @@ public:
     const Point_2& a = m_map.uv[primary];
     const Point_2& b = m_map.uv[Mesh::next(primary)];
     const int d = along_axis(a, b);
-    return find(first_on_edge[e], first_on_edge[e + 1], q, [d](const Point_2& s, const Point_2& t)
-                { return coordinate(s, d) < coordinate(t, d); });
+    return find(first_on_edge[e], first_on_edge[e + 1], q,
+                [d](const Point_2& s, const Point_2& t) { return coordinate(s, d) < coordinate(t, d); });
   }
 
   // The node inside face f at p; -1 if there is none.
   int find_in_face(int f, const Point_2& p) const
   {
-    return find(first_in_face[f], first_in_face[f + 1], p, [](const Point_2& s, const Point_2& t)
-                { return s.y() < t.y() || (s.y() == t.y() && s.x() < t.x()); });
+    return find(first_in_face[f], first_in_face[f + 1], p,
+                [](const Point_2& s, const Point_2& t) { return s.y() < t.y() || (s.y() == t.y() && s.x() < t.x()); });
   }
 
   // The ray of node n in the sector of h with direction d; -1 if there is none.
@@ -187,8 +187,7 @@ private:
       if(ex == 0 && ey == 0)
         continue;
       const bool aligned = ex == 0 || ey == 0;
-      const int d = aligned ? along_axis(a, b)
-                            : ex < ey ? (b.x() > a.x() ? 0 : 2) : (b.y() > a.y() ? 1 : 3);
+      const int d = aligned ? along_axis(a, b) : ex < ey ? (b.x() > a.x() ? 0 : 2) : (b.y() > a.y() ? 1 : 3);
       const double a0 = coordinate(a, d), b0 = coordinate(b, d), a1 = coordinate(a, d + 1), b1 = coordinate(b, d + 1);
       if(aligned && !is_integer(a1))
         continue;
@@ -241,8 +240,10 @@ private:
           hi = (std::max)(hi, x);
         }
         double x0 = std::ceil(lo) - 1, x1 = std::floor(hi) + 1;
-        while(x0 <= x1 && !inside(x0, y)) ++x0;
-        while(x0 <= x1 && !inside(x1, y)) --x1;
+        while(x0 <= x1 && !inside(x0, y))
+          ++x0;
+        while(x0 <= x1 && !inside(x1, y))
+          --x1;
         for(double x = x0; x <= x1; ++x)
           add_node(3 * f, Point_2(x, y));
       }
@@ -327,9 +328,14 @@ private:
     for(int i : folded)
     {
       const int r0 = first_ray[i];
-      pair_opposite_signs(first_ray[i + 1] - r0,
-                          [&](int k) { return ray_sign[r0 + k]; },
-                          [&](int k, int l) { mate[r0 + k] = r0 + l; mate[r0 + l] = r0 + k; }, left);
+      pair_opposite_signs(
+        first_ray[i + 1] - r0, [&](int k) { return ray_sign[r0 + k]; },
+        [&](int k, int l)
+        {
+        mate[r0 + k] = r0 + l;
+        mate[r0 + l] = r0 + k;
+        },
+        left);
     }
   }
 };

@@ -33,11 +33,16 @@ class Isoline_tracer
   typedef Indexed_triangle_mesh Mesh;
 
 public:
-  enum { LEAVES_THE_SURFACE = -1, FAILED = -2 };
+  enum
+  {
+    LEAVES_THE_SURFACE = -1,
+    FAILED = -2
+  };
 
   Isoline_tracer(const Grid_map& map, const Grid_nodes& nodes)
     : m_map(map), m_mesh(map.mesh), m_nodes(nodes), m_steps_left(bound_on_steps(map, nodes))
-  {}
+  {
+  }
 
   // The ray at the other end of the grid line that starts with `ray`, `LEAVES_THE_SURFACE` if the line ends at
   // a border, `FAILED` if it cannot be followed, which happens only in maps that are not integer-grid maps.
@@ -65,7 +70,7 @@ public:
     m_d = d;
     m_behind = behind;
     m_ahead = neighbor(behind, d);
-    if(side(m_map.uv[Mesh::next(h)]) > 0)   // it runs out of the face of h, as that is on the left of h
+    if(side(m_map.uv[Mesh::next(h)]) > 0) // it runs out of the face of h, as that is on the left of h
       go_over(h);
     else
       go(FROM_EDGE, h);
@@ -85,20 +90,30 @@ private:
   // What the line does next. `m_h` is the halfedge meant, and its face is the one whose chart is in use.
   enum State
   {
-    INSIDE,       // it is inside the face
-    FROM_EDGE,    // it is on the halfedge, about to cross the face
-    OUT_OF_EDGE,  // it is inside the face, about to leave through the halfedge
-    AT_CORNER,    // it is inside the face, about to pass through the source of the halfedge
-    FROM_CORNER,  // it is at the source of the halfedge, about to enter the sector
-    ALONG,        // it runs along the halfedge
-    BACK_ALONG,   // it runs along the halfedge from target to source
+    INSIDE,      // it is inside the face
+    FROM_EDGE,   // it is on the halfedge, about to cross the face
+    OUT_OF_EDGE, // it is inside the face, about to leave through the halfedge
+    AT_CORNER,   // it is inside the face, about to pass through the source of the halfedge
+    FROM_CORNER, // it is at the source of the halfedge, about to enter the sector
+    ALONG,       // it runs along the halfedge
+    BACK_ALONG,  // it runs along the halfedge from target to source
     DONE
   };
 
   // Where an arriving line looks back: a sector, and a direction in its chart.
-  struct Way_back { int h; int d; };
+  struct Way_back
+  {
+    int h;
+    int d;
+  };
 
-  struct Fan_ray { int h; int d; int turned; int sign; };
+  struct Fan_ray
+  {
+    int h;
+    int d;
+    int turned;
+    int sign;
+  };
 
   const Grid_map& m_map;
   const Mesh& m_mesh;
@@ -107,13 +122,17 @@ private:
 
   State m_state;
   int m_h;
-  int m_d;             // heading
+  int m_d; // heading
   Point_2 m_behind;
   Point_2 m_ahead;
   int m_result;
-  enum { LEFT, RIGHT };
+  enum
+  {
+    LEFT,
+    RIGHT
+  };
   bool m_is_open[2];
-  int m_goal;          // 1 if `m_ahead` is the grid point next to the start, 0 if it is the start
+  int m_goal; // 1 if `m_ahead` is the grid point next to the start, 0 if it is the start
 
   std::vector<Fan_ray> m_fan;
   std::vector<int> m_live;
@@ -127,7 +146,8 @@ private:
     {
       const Point_2& a = map.uv[h];
       const Point_2& b = map.uv[Mesh::next(h)];
-      crossings += std::fabs(std::floor(b.x()) - std::floor(a.x())) + std::fabs(std::floor(b.y()) - std::floor(a.y())) + 2;
+      crossings +=
+        std::fabs(std::floor(b.x()) - std::floor(a.x())) + std::fabs(std::floor(b.y()) - std::floor(a.y())) + 2;
     }
     return static_cast<long long>(4 * crossings) + 16 * static_cast<long long>(nodes.number_of_rays()) + 16;
   }
@@ -147,8 +167,16 @@ private:
   Way_back back_in(int h) const { return Way_back{ h, (m_d + 2) & 3 }; }
   static Way_back nowhere() { return Way_back{ -1, 0 }; }
 
-  void go(State s, int h) { m_state = s; m_h = h; }
-  void finish(int result) { m_state = DONE; m_result = result; }
+  void go(State s, int h)
+  {
+    m_state = s;
+    m_h = h;
+  }
+  void finish(int result)
+  {
+    m_state = DONE;
+    m_result = result;
+  }
   void turn_round()
   {
     m_d = (m_d + 2) & 3;
@@ -288,7 +316,10 @@ private:
     const Point_2& target = m_map.uv[corner];
     const double c = along(target), goal = along(m_ahead);
     const Way_back here = { c > goal ? h : corner, (m_d + 2) & 3 };
-    const Way_back there = { c > goal || forward ? beyond : beyond == -1 ? -1 : Mesh::next(beyond), (m_d + 2 + turn) & 3 };
+    const Way_back there = { c > goal || forward ? beyond
+                             : beyond == -1      ? -1
+                                                 : Mesh::next(beyond),
+                             (m_d + 2 + turn) & 3 };
     if(c > goal)
       arrive(m_nodes.find_on_edge(h, m_ahead), here, there);
     else if(c == goal)
@@ -320,12 +351,14 @@ private:
     const int h = here.h;
     m_fan.clear();
     int turned = 0, arrival = -1;
-    for_each_corner_of_vertex(m_mesh, m_mesh.source(h), [&](int g)
-    {
+    for_each_corner_of_vertex(m_mesh, m_mesh.source(h),
+                              [&](int g)
+                              {
       if(g != m_mesh.halfedge_of_vertex[m_mesh.source(h)])
         turned += m_map.transition[g].r;
-      for_each_direction_in_sector(m_map, g, [&](int e, int s)
-      {
+      for_each_direction_in_sector(m_map, g,
+                                   [&](int e, int s)
+                                   {
         if((g == here.h && e == here.d) || (arrival == -1 && g == there.h && e == there.d))
           arrival = static_cast<int>(m_fan.size());
         m_fan.push_back(Fan_ray{ g, e, (e + turned) & 3, s });
@@ -347,8 +380,16 @@ private:
 
     const bool on_border = m_mesh.previous_around_source(m_mesh.halfedge_of_vertex[m_mesh.source(h)]) == -1;
     int partner = -1;
-    Grid_nodes::pair_opposite_signs(n, [&](int i) { return m_fan[i].sign; },
-                                    [&](int i, int j) { if(i == a) partner = j; else if(j == a) partner = i; }, m_live);
+    Grid_nodes::pair_opposite_signs(
+      n, [&](int i) { return m_fan[i].sign; },
+      [&](int i, int j)
+      {
+      if(i == a)
+        partner = j;
+      else if(j == a)
+        partner = i;
+      },
+      m_live);
     if(partner == -1)
     {
       if(m_live.size() == 1 && on_border)

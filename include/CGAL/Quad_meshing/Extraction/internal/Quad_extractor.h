@@ -43,9 +43,15 @@ class Quad_extractor
 public:
   Quad_extractor(Grid_map& map, Extracted_quads& quads, Quad_extraction_result& result, Stage_progress& progress,
                  int unfolding_sweeps)
-    : m_map(map), m_quads(quads), m_graph(quads.graph), m_vertex_of_ray(quads.vertex_of_ray), m_result(result)
-    , m_progress(progress), m_unfolding_sweeps(unfolding_sweeps)
-  {}
+    : m_map(map)
+    , m_quads(quads)
+    , m_graph(quads.graph)
+    , m_vertex_of_ray(quads.vertex_of_ray)
+    , m_result(result)
+    , m_progress(progress)
+    , m_unfolding_sweeps(unfolding_sweeps)
+  {
+  }
 
   // Returns whether there is something to write.
   bool run()
@@ -62,7 +68,7 @@ private:
   Quad_extraction_result& m_result;
   Stage_progress& m_progress;
   const int m_unfolding_sweeps;
-  std::vector<Grid_location> m_locations;   // per node
+  std::vector<Grid_location> m_locations; // per node
   std::vector<int> m_node_of_vertex;
 
   bool fail(const std::string& why)
@@ -161,7 +167,7 @@ private:
       const int h = nodes.node_halfedge[n], f = h / 3, k = h % 3;
       Grid_location& l = m_locations[n];
       l.face = f;
-      l.weights = {{ 0, 0, 0 }};
+      l.weights = { { 0, 0, 0 } };
       const Grid_map::Point_2& p = nodes.node_point[n];
       if(nodes.is_on_vertex(n))
         l.weights[k] = 1;
@@ -195,8 +201,8 @@ private:
   // An exact map leaves nothing to do here, and all faces of its graph are quads.
   void repair()
   {
-    m_result.edges_cut_by_border = std::count(m_graph.opposite.begin(), m_graph.opposite.end(),
-                                              static_cast<int>(Grid_graph::CUT_BY_BORDER));
+    m_result.edges_cut_by_border =
+      std::count(m_graph.opposite.begin(), m_graph.opposite.end(), static_cast<int>(Grid_graph::CUT_BY_BORDER));
     bool clean = std::all_of(m_graph.degree.begin(), m_graph.degree.end(), [](int d) { return d == 4; });
     clean &= std::count(m_graph.opposite.begin(), m_graph.opposite.end(), static_cast<int>(Grid_graph::FAILED)) == 0;
     if(clean)
@@ -209,16 +215,16 @@ private:
     m_result.merged_vertices = graph_repair.merged_nodes;
     m_result.removed_edges = graph_repair.removed_edges;
 
-    const Grid_face_splitter splitter(m_graph, largest_degree_kept, [&](int m, int n)
-    {
+    const Grid_face_splitter splitter(m_graph, largest_degree_kept,
+                                      [&](int m, int n) {
       return squared_distance(position(m_map.mesh, m_locations[m]), position(m_map.mesh, m_locations[n]));
     });
     m_result.joined_faces = splitter.joined_faces;
     m_result.split_faces = splitter.split_faces;
 
     m_graph.find_faces();
-    m_result.dropped_faces = m_graph.drop_faces([&](int f)
-    { return m_graph.degree[f] < 3 || m_graph.degree[f] > largest_degree_kept; });
+    m_result.dropped_faces =
+      m_graph.drop_faces([&](int f) { return m_graph.degree[f] < 3 || m_graph.degree[f] > largest_degree_kept; });
   }
 
   // Only where the map is positive everywhere the left side of a line is known by orientation tests.
@@ -254,12 +260,13 @@ private:
       has_vertex[m_node_of_vertex[v]] = true;
     }
 
-    std::vector<std::pair<int, int> > neighbors;
+    std::vector<std::pair<int, int>> neighbors;
     for(int i = 0; i < m_graph.number_of_nodes(); ++i)
     {
       neighbors.clear();
-      m_graph.for_each_ray_of_node(i, [&](int r)
-      {
+      m_graph.for_each_ray_of_node(i,
+                                   [&](int r)
+                                   {
         const int v = m_vertex_of_ray[r];
         if(v == -1)
           return;
@@ -289,25 +296,26 @@ private:
     m_result.uncovered_area = area - static_cast<double>(m_result.quads);
 
     if(m_graph.number_of_faces() == 0)
-      return fail(is_repaired() ? defects_of_map() + "nothing could be extracted." : "The map covers no complete grid cell.");
+      return fail(is_repaired() ? defects_of_map() + "nothing could be extracted."
+                                : "The map covers no complete grid cell.");
     if(is_repaired())
     {
       m_result.status = Quad_extraction_status::REPAIRED;
-      m_result.message = defects_of_map() + "the mesh has " + std::to_string(m_result.quads) + " quads and "
-        + std::to_string(m_result.other_faces) + " other faces, and "
-        + (m_result.same_topology ? "the topology of the input." : "another topology than the input.");
+      m_result.message = defects_of_map() + "the mesh has " + std::to_string(m_result.quads) + " quads and " +
+                         std::to_string(m_result.other_faces) + " other faces, and " +
+                         (m_result.same_topology ? "the topology of the input." : "another topology than the input.");
     }
     else if(m_result.multiple_edges > 0)
     {
       m_result.status = Quad_extraction_status::NOT_SIMPLE;
-      m_result.message = "The grid is too coarse: " + std::to_string(m_result.multiple_edges)
-        + " edges join vertices that another edge joins already.";
+      m_result.message = "The grid is too coarse: " + std::to_string(m_result.multiple_edges) +
+                         " edges join vertices that another edge joins already.";
     }
     else
     {
       m_result.status = Quad_extraction_status::VALID;
-      m_result.message = "The mesh has " + std::to_string(m_result.quads) + " quads and "
-        + std::to_string(m_result.irregular_vertices) + " irregular inner vertices.";
+      m_result.message = "The mesh has " + std::to_string(m_result.quads) + " quads and " +
+                         std::to_string(m_result.irregular_vertices) + " irregular inner vertices.";
     }
     return true;
   }
@@ -331,9 +339,9 @@ private:
 
   bool is_repaired() const
   {
-    return !m_result.folded_faces.empty() || !m_result.degenerate_faces.empty() || m_result.unfolded_faces > 0
-        || m_result.inconsistent_transitions > 0 || m_result.removed_edges > 0 || m_result.cancelled_crossings > 0
-        || m_result.other_faces > 0 || m_result.dropped_faces > 0;
+    return !m_result.folded_faces.empty() || !m_result.degenerate_faces.empty() || m_result.unfolded_faces > 0 ||
+           m_result.inconsistent_transitions > 0 || m_result.removed_edges > 0 || m_result.cancelled_crossings > 0 ||
+           m_result.other_faces > 0 || m_result.dropped_faces > 0;
   }
 };
 

@@ -29,7 +29,8 @@ class Cells_with_holes
 public:
   Cells_with_holes(const Grid_map& map, const Grid_nodes& nodes, const Grid_graph& graph)
     : m_map(map), m_mesh(map.mesh), m_trace(map, nodes), m_graph(graph)
-  {}
+  {
+  }
 
   // The faces of the graph, in no particular order, perhaps with repetitions.
   std::vector<int> operator()()
@@ -84,8 +85,8 @@ private:
   {
     const Point_2& a = m_map.uv[h];
     const Point_2& b = m_map.uv[Mesh::next(h)];
-    return !is_integer(a.x()) && !is_integer(a.y()) && !is_integer(b.x()) && !is_integer(b.y())
-        && std::floor(a.x()) == std::floor(b.x()) && std::floor(a.y()) == std::floor(b.y());
+    return !is_integer(a.x()) && !is_integer(a.y()) && !is_integer(b.x()) && !is_integer(b.y()) &&
+           std::floor(a.x()) == std::floor(b.x()) && std::floor(a.y()) == std::floor(b.y());
   }
 
   // Walks over the edges inside the cell until one leaves it, and along the grid line met there.
@@ -103,8 +104,9 @@ private:
     };
     int cell = -1;
     for(std::size_t i = 0; i < vertices.size() && cell == -1; ++i)
-      for_each_corner_of_vertex(m_mesh, vertices[i], [&](int h)
-      {
+      for_each_corner_of_vertex(m_mesh, vertices[i],
+                                [&](int h)
+                                {
         if(is_inside_cell(h))
         {
           if(is_new(m_mesh.target(h)))

@@ -27,8 +27,8 @@ namespace internal {
 struct Extracted_quads
 {
   Grid_graph graph;
-  std::vector<int> vertex_of_ray;       // -1 at rays without faces
-  std::vector<Grid_location> vertices;  // where they lie on the triangle mesh
+  std::vector<int> vertex_of_ray;      // -1 at rays without faces
+  std::vector<Grid_location> vertices; // where they lie on the triangle mesh
 };
 
 // Triangles that are not positive are visited so often to unfold them; chains of them need several visits.
@@ -36,16 +36,17 @@ const int default_unfolding_sweeps = 20;
 
 // Extracts the quad mesh of a map and fills in the result. `uv` per halfedge: the image of its source in the chart of
 // its face. The vertices of the mesh must be manifold. Returns whether there is a mesh.
-CGAL_QUAD_MESHING_INLINE bool
-extract_quads(const Indexed_triangle_mesh& mesh, const std::vector<std::array<double, 2> >& uv, Any_visitor& visitor,
-              Extracted_quads& quads, Quad_extraction_result& result, int unfolding_sweeps = default_unfolding_sweeps);
+CGAL_QUAD_MESHING_INLINE bool extract_quads(const Indexed_triangle_mesh& mesh,
+                                            const std::vector<std::array<double, 2>>& uv, Any_visitor& visitor,
+                                            Extracted_quads& quads, Quad_extraction_result& result,
+                                            int unfolding_sweeps = default_unfolding_sweeps);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Extraction/internal/extract_quads_impl.h>
+#include <CGAL/Quad_meshing/Extraction/internal/extract_quads_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_EXTRACTION_INTERNAL_EXTRACT_QUADS_H

@@ -17,9 +17,10 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE bool
-extract_quads(const Indexed_triangle_mesh& mesh, const std::vector<std::array<double, 2> >& uv, Any_visitor& visitor,
-              Extracted_quads& quads, Quad_extraction_result& result, int unfolding_sweeps)
+CGAL_QUAD_MESHING_INLINE bool extract_quads(const Indexed_triangle_mesh& mesh,
+                                            const std::vector<std::array<double, 2>>& uv, Any_visitor& visitor,
+                                            Extracted_quads& quads, Quad_extraction_result& result,
+                                            int unfolding_sweeps)
 {
   const Visited_stage stage(visitor, "extraction");
   Stage_progress progress(visitor);

@@ -40,12 +40,14 @@ inline std::string defect_of_coordinates(const Grid_map& map)
         return "The map has a coordinate that is not a number, in face " + std::to_string(f) + ".";
       if(std::fabs(c[k].x()) > largest_grid_coordinate || std::fabs(c[k].y()) > largest_grid_coordinate)
         return "The map has a coordinate beyond 2^32, in face " + std::to_string(f) + ".";
-      x0 = (std::min)(x0, c[k].x()); x1 = (std::max)(x1, c[k].x());
-      y0 = (std::min)(y0, c[k].y()); y1 = (std::max)(y1, c[k].y());
+      x0 = (std::min)(x0, c[k].x());
+      x1 = (std::max)(x1, c[k].x());
+      y0 = (std::min)(y0, c[k].y());
+      y1 = (std::max)(y1, c[k].y());
     }
     // The grid points inside, and the rows that have to be looked at.
-    const double area = 0.5 * std::fabs((c[1].x() - c[0].x()) * (c[2].y() - c[0].y())
-                                      - (c[1].y() - c[0].y()) * (c[2].x() - c[0].x()));
+    const double area =
+      0.5 * std::fabs((c[1].x() - c[0].x()) * (c[2].y() - c[0].y()) - (c[1].y() - c[0].y()) * (c[2].x() - c[0].x()));
     total_area += area;
     points += area + (std::min)(x1 - x0, y1 - y0) + 0.1 * (y1 - y0);
   }
@@ -69,7 +71,8 @@ inline std::vector<int> make_transitions(Grid_map& map)
     if(o == -1)
       continue;
     Grid_automorphism& t = map.transition[h];
-    const Transition_kind kind = recover_grid_automorphism(map.uv[h], map.uv[m.next(h)], map.uv[m.next(o)], map.uv[o], t);
+    const Transition_kind kind =
+      recover_grid_automorphism(map.uv[h], map.uv[m.next(h)], map.uv[m.next(o)], map.uv[o], t);
     if(kind != Transition_kind::EXACT)
       inexact.push_back(h);
     if(kind == Transition_kind::ZERO_LENGTH || kind == Transition_kind::NOT_INTEGER)

@@ -18,8 +18,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // Traces all rays. The progress runs to `end`; returns whether the visitor let it.
-inline bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g, Stage_progress& progress, double begin,
-                            double end)
+inline bool make_grid_graph(const Grid_map& map, const Grid_nodes& nodes, Grid_graph& g, Stage_progress& progress,
+                            double begin, double end)
 {
   const int rays_per_report = 0x1000; // each is followed over some triangles
 

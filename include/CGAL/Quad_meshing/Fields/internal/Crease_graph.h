@@ -26,17 +26,18 @@ class Crease_graph
 public:
   typedef Simple_cartesian<double>::Point_3 Point_3;
 
-  std::vector<bool> is_held;    // per vertex: a crease that ends here does not end freely
-  std::vector<bool> is_kept;    // per edge
+  std::vector<bool> is_held; // per vertex: a crease that ends here does not end freely
+  std::vector<bool> is_kept; // per edge
 
   explicit Crease_graph(const std::vector<Point_3>& points)
     : is_held(points.size(), false), m_points(points), m_incident(points.size())
-  {}
+  {
+  }
 
   void add_edge(int v, int w)
   {
     const int e = static_cast<int>(m_ends.size());
-    m_ends.push_back({{ v, w }});
+    m_ends.push_back({ { v, w } });
     is_kept.push_back(true);
     m_incident[v].push_back(e);
     m_incident[w].push_back(e);
@@ -84,9 +85,9 @@ public:
   }
 
 private:
-  const std::vector<Point_3>& m_points;      // per vertex
-  std::vector<std::array<int, 2> > m_ends;   // per edge
-  std::vector<std::vector<int> > m_incident; // per vertex: all edges, kept or not
+  const std::vector<Point_3>& m_points;     // per vertex
+  std::vector<std::array<int, 2>> m_ends;   // per edge
+  std::vector<std::vector<int>> m_incident; // per vertex: all edges, kept or not
 
   int other_end(int e, int v) const { return m_ends[e][0] == v ? m_ends[e][1] : m_ends[e][0]; }
 

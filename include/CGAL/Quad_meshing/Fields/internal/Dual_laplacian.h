@@ -50,8 +50,7 @@ class Dual_laplacian
 {
 public:
   // Not valid if the visitor stops it.
-  Dual_laplacian(const Field_problem& problem, Stage_progress& progress)
-    : m_problem(problem)
+  Dual_laplacian(const Field_problem& problem, Stage_progress& progress) : m_problem(problem)
   {
     m_row.assign(problem.mesh.number_of_faces(), -1);
     int n = 0;
@@ -59,13 +58,15 @@ public:
       if(!problem.constrained[f])
         m_row[f] = n++;
 
-    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<Eigen::Triplet<double>> entries;
     for(int e = 0; e < problem.mesh.number_of_edges(); ++e)
       if(problem.is_inner(e))
       {
         const int i = m_row[problem.first_face(e)], j = m_row[problem.second_face(e)];
-        if(i != -1) entries.emplace_back(i, i, 1.);
-        if(j != -1) entries.emplace_back(j, j, 1.);
+        if(i != -1)
+          entries.emplace_back(i, i, 1.);
+        if(j != -1)
+          entries.emplace_back(j, j, 1.);
         if(i != -1 && j != -1)
         {
           entries.emplace_back(i, j, -1.);
@@ -85,8 +86,9 @@ public:
     const auto data = std::make_shared<Factorization>();
     data->matrix.resize(n, n);
     data->matrix.setFromTriplets(entries.begin(), entries.end());
-    const bool is_done = run_aside(n, progress, data, [](Factorization& f)
-    {
+    const bool is_done = run_aside(n, progress, data,
+                                   [](Factorization& f)
+                                   {
       if(f.cholesky.compute(f.matrix))
         f.factor = f.cholesky.factor();
     });
@@ -119,8 +121,10 @@ public:
       {
         const double c = m_problem.residual(e, field);
         const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
-        if(i != -1) rhs[i] -= c;
-        if(j != -1) rhs[j] += c;
+        if(i != -1)
+          rhs[i] -= c;
+        if(j != -1)
+          rhs[j] += c;
       }
     if(n == 0)
       return;
@@ -142,8 +146,10 @@ public:
         if(m_problem.is_inner(e))
         {
           const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
-          if(i != -1) side(e, i, 1);
-          if(j != -1) side(e, j, -1);
+          if(i != -1)
+            side(e, i, 1);
+          if(j != -1)
+            side(e, j, -1);
         }
     };
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
@@ -164,8 +170,16 @@ public:
     int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
     if(i == j) // only if both are -1
       return y;
-    if(i != -1) { i = m_row_of_factor[i]; m_work[i] += 1.; }
-    if(j != -1) { j = m_row_of_factor[j]; m_work[j] -= 1.; }
+    if(i != -1)
+    {
+      i = m_row_of_factor[i];
+      m_work[i] += 1.;
+    }
+    if(j != -1)
+    {
+      j = m_row_of_factor[j];
+      m_work[j] -= 1.;
+    }
 
     // Follows the two paths upwards in ascending order of columns until they join and end.
     while(i != -1 || j != -1)
@@ -182,8 +196,10 @@ public:
           m_work[l.row[p]] -= x * l.value[p];
       }
       const int parent = begin + 1 < end ? l.row[begin + 1] : -1;
-      if(i == column) i = parent;
-      if(j == column) j = parent;
+      if(i == column)
+        i = parent;
+      if(j == column)
+        j = parent;
     }
     return y;
   }
@@ -193,15 +209,15 @@ private:
   {
     Eigen::SparseMatrix<double> matrix;
     Sparse_cholesky<double> cholesky;
-    std::unique_ptr<Cholesky_factor<double> > factor;
+    std::unique_ptr<Cholesky_factor<double>> factor;
   };
 
   const Field_problem& m_problem;
-  std::vector<int> m_row;                              // per face: its row in A, -1 if its angle is given
+  std::vector<int> m_row; // per face: its row in A, -1 if its angle is given
   Sparse_cholesky<double> m_cholesky;
-  std::unique_ptr<Cholesky_factor<double> > m_factor;
-  std::vector<int> m_row_of_factor;                    // per row of A
-  std::vector<double> m_work; // zero between calls
+  std::unique_ptr<Cholesky_factor<double>> m_factor;
+  std::vector<int> m_row_of_factor; // per row of A
+  std::vector<double> m_work;       // zero between calls
 };
 
 } // namespace internal

@@ -38,24 +38,26 @@ struct Field_problem
 {
   const Indexed_triangle_mesh& mesh;
   const Face_frames frames;
-  std::vector<char> aligned;         // per edge: the field follows it
-  std::vector<char> constrained;     // per face: its angle is given
-  std::vector<double> given_angle;   // per face
-  std::vector<double> soft_angle;    // per face: the angle that it should have; empty where none has one
-  std::vector<double> soft_weight;   // per face: of the squared deviation from it, in units of the residuals
-  std::vector<int> component;        // per face
-  std::vector<int> anchor;           // per component: a free face of a component without constraint, or -1
+  std::vector<char> aligned;       // per edge: the field follows it
+  std::vector<char> constrained;   // per face: its angle is given
+  std::vector<double> given_angle; // per face
+  std::vector<double> soft_angle;  // per face: the angle that it should have; empty where none has one
+  std::vector<double> soft_weight; // per face: of the squared deviation from it, in units of the residuals
+  std::vector<int> component;      // per face
+  std::vector<int> anchor;         // per component: a free face of a component without constraint, or -1
   Field_sectors sectors;
 
   // How many faces touch two aligned edges in directions that exclude each other.
   int conflicting_faces = 0;
 
   explicit Field_problem(const Indexed_triangle_mesh& m)
-    : mesh(m), frames(m)
+    : mesh(m)
+    , frames(m)
     , aligned(m.number_of_edges(), 0)
     , constrained(m.number_of_faces(), 0)
     , given_angle(m.number_of_faces(), 0.)
-  {}
+  {
+  }
 
   bool is_inner(int e) const { return !mesh.is_border_edge(e); }
   int first_face(int e) const { return mesh.halfedge_of_edge[e] / 3; }
@@ -67,7 +69,8 @@ struct Field_problem
 
   double residual(int e, const Cross_field& field) const
   {
-    return field.angle[first_face(e)] + frames.kappa(e) + quarter_turn * field.period_jump[e] - field.angle[second_face(e)];
+    return field.angle[first_face(e)] + frames.kappa(e) + quarter_turn * field.period_jump[e] -
+           field.angle[second_face(e)];
   }
 
   double energy(const Cross_field& field) const

@@ -35,8 +35,9 @@ inline void round_jumps(const Field_problem& problem, Cross_field& field)
 {
   field.period_jump.resize(problem.mesh.number_of_edges());
   for(int e = 0; e < problem.mesh.number_of_edges(); ++e)
-    field.period_jump[e] = problem.is_inner(e)
-      ? problem.nearest_jump(e, field.angle[problem.first_face(e)], field.angle[problem.second_face(e)]) : 0;
+    field.period_jump[e] = problem.is_inner(e) ? problem.nearest_jump(e, field.angle[problem.first_face(e)],
+                                                                      field.angle[problem.second_face(e)])
+                                               : 0;
 }
 
 inline int count_integers(const Field_problem& problem)
@@ -58,11 +59,14 @@ class Field_solver
 {
 public:
   Field_solver(const Field_problem& problem, const Field_options& options, Stage_progress& progress)
-    : m_problem(problem), m_options(options), m_progress(progress)
+    : m_problem(problem)
+    , m_options(options)
+    , m_progress(progress)
     , m_laplacian(problem, progress)
     , m_polish(problem, m_laplacian, progress)
     , m_costs(singularity_costs(problem, options.target_edge_length))
-  {}
+  {
+  }
 
   Cross_field_status operator()(Cross_field& field, Cross_field_result& result)
   {
@@ -84,7 +88,8 @@ private:
     if(!m_laplacian.is_valid())
       return Cross_field_status::NUMERICAL_FAILURE;
 
-    const bool polished = m_options.method == Cross_field_method::POLISHED, is_for_quads = m_options.target_edge_length > 0;
+    const bool polished = m_options.method == Cross_field_method::POLISHED,
+               is_for_quads = m_options.target_edge_length > 0;
     m_progress.begin_part(start_end);
     std::unique_ptr<Jump_annealing> anneal;
     if(polished && !is_for_quads && m_problem.soft_weight.empty())
@@ -96,8 +101,7 @@ private:
 
     if(polished || m_options.method == Cross_field_method::REPRESENTATION)
     {
-      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), !polished, m_progress)
-           (field.angle))
+      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), !polished, m_progress)(field.angle))
         return Cross_field_status::NUMERICAL_FAILURE;
       round_jumps(m_problem, field);
     }
@@ -163,10 +167,7 @@ private:
 
   // How many pairs of singularities the local search may annihilate for a trial: so many that on small meshes they take
   // about as long as all the rest, and enough for those of large ones.
-  int number_of_trials() const
-  {
-    return (std::min)(100, m_problem.mesh.number_of_faces() / 20);
-  }
+  int number_of_trials() const { return (std::min)(100, m_problem.mesh.number_of_faces() / 20); }
 
   // A vertex with two quads folds them onto each other: more than any singularity is worth, in a mesh of quads.
   static constexpr double doublet_cost = 2.;
@@ -176,8 +177,8 @@ private:
     switch(m_options.method)
     {
       case Cross_field_method::DIRECT: return Rounding_method::DIRECT;
-      case Cross_field_method::NAIVE:  return Rounding_method::NAIVE;
-      default:                         return Rounding_method::GREEDY;
+      case Cross_field_method::NAIVE: return Rounding_method::NAIVE;
+      default: return Rounding_method::GREEDY;
     }
   }
 

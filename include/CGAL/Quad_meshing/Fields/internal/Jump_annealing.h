@@ -38,7 +38,8 @@ class Jump_annealing
 public:
   Jump_annealing(const Field_problem& problem, const Dual_laplacian& laplacian)
     : m_problem(problem), m_laplacian(laplacian), m_potentials(problem, laplacian)
-  {}
+  {
+  }
 
   // Whether the mesh is small enough.
   bool is_affordable() const { return m_potentials.is_small(); }
@@ -111,7 +112,8 @@ private:
     {
       const Sector_potentials::Edge& e = m_potentials.edge(i);
       m_edges[i].offset = static_cast<float>(m_problem.residual(e.edge, field));
-      m_edges[i].limit = e.self > no_effect ? static_cast<float>(quarter_turn / 2) * e.self : (std::numeric_limits<float>::max)();
+      m_edges[i].limit =
+        e.self > no_effect ? static_cast<float>(quarter_turn / 2) * e.self : (std::numeric_limits<float>::max)();
     }
     m_now = m_best;
     m_best.energy = energy();
@@ -120,10 +122,7 @@ private:
       m_deviates[k] = -std::log((k + 0.5f) / m_deviates.size());
   }
 
-  float residual(int i) const
-  {
-    return m_edges[i].offset + m_potentials.difference(i, m_now.potentials);
-  }
+  float residual(int i) const { return m_edges[i].offset + m_potentials.difference(i, m_now.potentials); }
 
   // Of the movable edges; that of the others does not change.
   double energy() const
@@ -193,9 +192,9 @@ private:
   const Dual_laplacian& m_laplacian;
   Sector_potentials m_potentials;
   State m_now, m_best;
-  std::vector<Edge> m_edges;            // those of the potentials
-  std::array<float, 256> m_deviates;    // of the exponential distribution, descending
-  std::mt19937 m_random;                // of the same numbers everywhere
+  std::vector<Edge> m_edges;         // those of the potentials
+  std::array<float, 256> m_deviates; // of the exponential distribution, descending
+  std::mt19937 m_random;             // of the same numbers everywhere
 };
 
 } // namespace internal

@@ -41,17 +41,19 @@ public:
   {
     int edge = -1;
     double residual = 0;
-    double self = 1;                              // P_ee
-    std::vector<std::pair<int, double> > others;  // candidates around and the entries of P, strong ones first
-    int strong = 0;                               // the number of strong ones: moves of two pay only with these
+    double self = 1;                            // P_ee
+    std::vector<std::pair<int, double>> others; // candidates around and the entries of P, strong ones first
+    int strong = 0;                             // the number of strong ones: moves of two pay only with these
   };
 
   Jump_candidates(const Field_problem& problem, Dual_laplacian& laplacian)
-    : m_problem(problem), m_laplacian(laplacian)
+    : m_problem(problem)
+    , m_laplacian(laplacian)
     , m_candidate_of_edge(problem.mesh.number_of_edges(), -1)
     , m_mark(problem.mesh.number_of_faces(), 0)
     , m_dense(laplacian.number_of_unknowns(), 0.)
-  {}
+  {
+  }
 
   int size() const { return static_cast<int>(m_candidates.size()); }
   const Candidate& operator[](int i) const { return m_candidates[i]; }
@@ -121,7 +123,7 @@ public:
 
   // Brings the residuals up to date for changes of the jumps along a path of edges, none twice, and returns how the
   // energy changes. All angles must be the best ones for the field.
-  double change_path(const std::vector<std::pair<int, int> >& path, const Cross_field& field)
+  double change_path(const std::vector<std::pair<int, int>>& path, const Cross_field& field)
   {
     double change = 0;
     std::vector<int> edges, rows;
@@ -244,9 +246,9 @@ private:
   std::vector<Candidate> m_candidates;
   std::vector<Sparse_vector> m_half_column; // per candidate
   std::vector<int> m_candidate_of_edge;
-  std::vector<int> m_mark;                  // per face: the last visit
+  std::vector<int> m_mark; // per face: the last visit
   int m_visit = 0;
-  std::vector<double> m_dense;              // zero between uses
+  std::vector<double> m_dense; // zero between uses
 };
 
 } // namespace internal

@@ -40,7 +40,8 @@ class Jump_polish
 public:
   Jump_polish(const Field_problem& problem, Dual_laplacian& laplacian, Stage_progress& progress)
     : m_problem(problem), m_laplacian(laplacian), m_progress(progress), m_candidates(problem, laplacian)
-  {}
+  {
+  }
 
   // Moves downhill until no move gains. The angles of the field are the best ones for its jumps, and so they are again
   // at the end. Returns the energy plus the cost of the sectors. If the visitor stops it, the field is of no use.
@@ -81,9 +82,16 @@ public:
 
 private:
   // One jump to be changed by +1 or -1.
-  struct Change { int candidate = -1, by = 0; };
-  struct Move { Change first, second; double change = 0; };
-  typedef std::vector<std::pair<int, int> > Path; // edges and the changes of their jumps
+  struct Change
+  {
+    int candidate = -1, by = 0;
+  };
+  struct Move
+  {
+    Change first, second;
+    double change = 0;
+  };
+  typedef std::vector<std::pair<int, int>> Path; // edges and the changes of their jumps
 
   // A gain below this may be due to what is neglected of P. Energies are of the order of one half per singularity.
   static constexpr double smallest_gain = 1e-3;
@@ -164,7 +172,8 @@ private:
 
   bool is_promising(int i) const
   {
-    return std::abs(m_candidates[i].residual) > Jump_candidates::smallest_residual || m_quads->is_costly(m_candidates[i].edge);
+    return std::abs(m_candidates[i].residual) > Jump_candidates::smallest_residual ||
+           m_quads->is_costly(m_candidates[i].edge);
   }
 
   // Applies the best move of every queued candidate. Returns the change of energy and cost.
@@ -352,9 +361,9 @@ private:
   Sector_quads::State m_saved_quads;
   double m_total = 0;
 
-  std::vector<Change> m_log;          // of this round
-  std::deque<int> m_queue;            // candidates to be looked at
-  std::vector<char> m_is_queued;      // per candidate
+  std::vector<Change> m_log;     // of this round
+  std::deque<int> m_queue;       // candidates to be looked at
+  std::vector<char> m_is_queued; // per candidate
 
   // Per sector, of the breadth-first searches: the last one that came, and the halfedge by which it came.
   std::vector<int> m_visited, m_via;

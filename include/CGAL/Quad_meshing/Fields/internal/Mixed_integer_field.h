@@ -34,7 +34,8 @@ class Mixed_integer_field
 {
 public:
   explicit Mixed_integer_field(const Field_problem& problem)
-    : m_problem(problem), m_mesh(problem.mesh)
+    : m_problem(problem)
+    , m_mesh(problem.mesh)
     , m_angle_variable(problem.mesh.number_of_faces(), -1)
     , m_jump_variable(problem.mesh.number_of_edges(), -1)
   {
@@ -55,8 +56,8 @@ public:
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
       if(m_problem.is_inner(e) && is_between_given_faces(e))
       {
-        const double r = m_problem.frames.kappa(e) + m_problem.given_angle[m_problem.first_face(e)] + quarter_turn * fixed_jump(e)
-                         - m_problem.given_angle[m_problem.second_face(e)];
+        const double r = m_problem.frames.kappa(e) + m_problem.given_angle[m_problem.first_face(e)] +
+                         quarter_turn * fixed_jump(e) - m_problem.given_angle[m_problem.second_face(e)];
         between_given_faces += r * r;
       }
     if(m_system.number_of_variables() == 0)
@@ -65,7 +66,8 @@ public:
     const double bound = solve_mixed_integer(m_system, parameters::rounding_method(Rounding_method::LATTICE)
                                                          .maximum_number_of_nodes(nodes)
                                                          .number_of_bound_rounds(rounds)
-                                                         .visitor(std::ref(visitor))).lower_bound;
+                                                         .visitor(std::ref(visitor)))
+                           .lower_bound;
     return between_given_faces + (std::max)(0., bound);
   }
 
@@ -85,7 +87,8 @@ public:
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       field.angle[f] = m_angle_variable[f] != -1 ? x[m_angle_variable[f]] : m_problem.given_angle[f];
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      field.period_jump[e] = m_jump_variable[e] != -1 ? static_cast<int>(std::lround(x[m_jump_variable[e]])) : fixed_jump(e);
+      field.period_jump[e] =
+        m_jump_variable[e] != -1 ? static_cast<int>(std::lround(x[m_jump_variable[e]])) : fixed_jump(e);
     return true;
   }
 
@@ -100,7 +103,8 @@ private:
   {
     if(!m_problem.is_inner(e) || m_in_forest[e])
       return 0;
-    return m_problem.nearest_jump(e, m_problem.given_angle[m_problem.first_face(e)], m_problem.given_angle[m_problem.second_face(e)]);
+    return m_problem.nearest_jump(e, m_problem.given_angle[m_problem.first_face(e)],
+                                  m_problem.given_angle[m_problem.second_face(e)]);
   }
 
   void grow_forest()
@@ -156,11 +160,16 @@ private:
 
       Mixed_integer_problem::Linear_form form;
       double constant = m_problem.frames.kappa(e);
-      if(m_angle_variable[f] != -1) form.emplace_back(m_angle_variable[f], 1.);
-      else constant += m_problem.given_angle[f];
-      if(m_angle_variable[g] != -1) form.emplace_back(m_angle_variable[g], -1.);
-      else constant -= m_problem.given_angle[g];
-      if(m_jump_variable[e] != -1) form.emplace_back(m_jump_variable[e], quarter_turn);
+      if(m_angle_variable[f] != -1)
+        form.emplace_back(m_angle_variable[f], 1.);
+      else
+        constant += m_problem.given_angle[f];
+      if(m_angle_variable[g] != -1)
+        form.emplace_back(m_angle_variable[g], -1.);
+      else
+        constant -= m_problem.given_angle[g];
+      if(m_jump_variable[e] != -1)
+        form.emplace_back(m_jump_variable[e], quarter_turn);
       m_system.add_squared_residual(form, -constant);
     }
   }
@@ -168,9 +177,9 @@ private:
   const Field_problem& m_problem;
   const Indexed_triangle_mesh& m_mesh;
   Mixed_integer_problem m_system;
-  std::vector<int> m_angle_variable;  // per face, -1 if the angle is fixed
-  std::vector<int> m_jump_variable;   // per edge, -1 if the jump is fixed
-  std::vector<char> m_in_forest;      // per edge
+  std::vector<int> m_angle_variable; // per face, -1 if the angle is fixed
+  std::vector<int> m_jump_variable;  // per edge, -1 if the jump is fixed
+  std::vector<char> m_in_forest;     // per edge
 };
 
 } // namespace internal

@@ -45,7 +45,9 @@ public:
   // With at least as many clusters as faces the field is exact.
   Representation_field(const Field_problem& problem, int number_of_clusters, bool has_surface_weights,
                        Stage_progress& progress)
-    : m_problem(problem), m_mesh(problem.mesh), m_progress(progress)
+    : m_problem(problem)
+    , m_mesh(problem.mesh)
+    , m_progress(progress)
     , m_cluster_size((std::max)(1, problem.mesh.number_of_faces() / number_of_clusters))
     , m_weight(problem.mesh.number_of_edges(), 1.)
   {
@@ -83,7 +85,8 @@ private:
       const double areas = twice_area(m_problem.first_face(e)) + twice_area(m_problem.second_face(e));
       const double squared_length = m_mesh.vector(m_mesh.halfedge_of_edge[e]).squared_length();
       m_weight[e] = areas * greatest > std::sqrt(3.) * squared_length
-        ? (std::max)(least, std::sqrt(3.) * squared_length / areas) : greatest;
+                      ? (std::max)(least, std::sqrt(3.) * squared_length / areas)
+                      : greatest;
     }
   }
 
@@ -120,7 +123,8 @@ private:
         for(int h = 3 * queue[next]; h < 3 * queue[next] + 3; ++h)
         {
           const int g = m_mesh.opposite[h] / 3;
-          if(m_mesh.opposite[h] == -1 || m_cluster[g] != -1 || m_problem.constrained[g] || static_cast<int>(queue.size()) == m_cluster_size)
+          if(m_mesh.opposite[h] == -1 || m_cluster[g] != -1 || m_problem.constrained[g] ||
+             static_cast<int>(queue.size()) == m_cluster_size)
             continue;
           m_cluster[g] = id;
           m_phase[g] = transport(h) * m_phase[queue[next]];
@@ -138,7 +142,7 @@ private:
     const int inverse_iterations = 12;
 
     const int n = static_cast<int>(m_component_of_cluster.size());
-    std::vector<Eigen::Triplet<Complex> > entries;
+    std::vector<Eigen::Triplet<Complex>> entries;
     Vector given = Vector::Zero(n);
     for(int i = 0; i < n; ++i)
       entries.emplace_back(i, i, regularization);
@@ -152,15 +156,20 @@ private:
       const double weight = m_weight[e];
       if(i == j)
       {
-        if(i != -1) entries.emplace_back(i, i, weight * std::norm(w - v));
+        if(i != -1)
+          entries.emplace_back(i, i, weight * std::norm(w - v));
         continue;
       }
-      if(i != -1) entries.emplace_back(i, i, weight);
-      if(j != -1) entries.emplace_back(j, j, weight);
+      if(i != -1)
+        entries.emplace_back(i, i, weight);
+      if(j != -1)
+        entries.emplace_back(j, j, weight);
       if(i != -1 && j != -1)
       {
-        if(i < j) entries.emplace_back(j, i, -weight * std::conj(v) * w);
-        else      entries.emplace_back(i, j, -weight * std::conj(w) * v);
+        if(i < j)
+          entries.emplace_back(j, i, -weight * std::conj(v) * w);
+        else
+          entries.emplace_back(i, j, -weight * std::conj(w) * v);
       }
       else if(i != -1)
         given[i] += weight * std::conj(w) * std::polar(1., 4 * m_problem.given_angle[g]);
@@ -171,7 +180,8 @@ private:
       if(m_cluster[f] != -1 && m_problem.soft_weight[f] > 0)
       {
         entries.emplace_back(m_cluster[f], m_cluster[f], m_problem.soft_weight[f]);
-        given[m_cluster[f]] += m_problem.soft_weight[f] * std::conj(m_phase[f]) * std::polar(1., 4 * m_problem.soft_angle[f]);
+        given[m_cluster[f]] +=
+          m_problem.soft_weight[f] * std::conj(m_phase[f]) * std::polar(1., 4 * m_problem.soft_angle[f]);
       }
     Eigen::SparseMatrix<Complex> a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
@@ -253,11 +263,11 @@ private:
   const Indexed_triangle_mesh& m_mesh;
   Stage_progress& m_progress;
   const int m_cluster_size;
-  std::vector<double> m_weight;             // per edge
-  std::vector<int> m_cluster;               // per face, -1 if its angle is given
-  std::vector<Complex> m_phase;             // per face: z = phase * z of the cluster
+  std::vector<double> m_weight; // per edge
+  std::vector<int> m_cluster;   // per face, -1 if its angle is given
+  std::vector<Complex> m_phase; // per face: z = phase * z of the cluster
   std::vector<int> m_component_of_cluster;
-  std::vector<Complex> m_z;                 // per face
+  std::vector<Complex> m_z; // per face
 };
 
 } // namespace internal

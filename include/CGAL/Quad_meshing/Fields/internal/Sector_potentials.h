@@ -99,10 +99,7 @@ public:
   // The row of a sector; `number_of_rows()` for those that have none.
   int row(int sector) const { return m_row[sector]; }
 
-  State make_state() const
-  {
-    return { Eigen::ArrayXf::Zero(m_size + 1), Eigen::ArrayXf::Zero(m_harmonic.rows()) };
-  }
+  State make_state() const { return { Eigen::ArrayXf::Zero(m_size + 1), Eigen::ArrayXf::Zero(m_harmonic.rows()) }; }
 
   // What the state adds to the residual of an edge.
   float difference(int i, const State& state) const
@@ -150,14 +147,16 @@ private:
     m_inverse.setZero(m_size + 1, m_size + 1);
     if(m_size == 0)
       return true;
-    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * m_edges.size() + m_anchors.size());
     for(const Edge& e : m_edges)
     {
       if(e.giver == e.taker)
         continue;
-      if(e.giver != m_size) entries.emplace_back(e.giver, e.giver, 1.);
-      if(e.taker != m_size) entries.emplace_back(e.taker, e.taker, 1.);
+      if(e.giver != m_size)
+        entries.emplace_back(e.giver, e.giver, 1.);
+      if(e.taker != m_size)
+        entries.emplace_back(e.taker, e.taker, 1.);
       if(e.giver != m_size && e.taker != m_size)
         entries.emplace_back((std::max)(e.giver, e.taker), (std::min)(e.giver, e.taker), -1.);
     }
@@ -169,7 +168,7 @@ private:
     Sparse_cholesky<double> cholesky;
     if(!cholesky.compute(a))
       return false;
-    const std::unique_ptr<Cholesky_factor<double> > l = cholesky.factor();
+    const std::unique_ptr<Cholesky_factor<double>> l = cholesky.factor();
 
     // Rows are numbered as in the factorization L L' from here on.
     std::vector<int> number(m_size);
@@ -212,14 +211,18 @@ private:
       return;
 
     // The forest of sectors, hung up at its roots.
-    std::vector<std::vector<int> > around(m_size + 1);
+    std::vector<std::vector<int>> around(m_size + 1);
     for(int i : m_sector_forest)
     {
       around[m_edges[i].giver].push_back(i);
       around[m_edges[i].taker].push_back(i);
     }
     std::vector<int> edge_up(m_size + 1, -1), depth(m_size + 1, -1), queue;
-    auto above = [&](int r) { const Edge& e = m_edges[edge_up[r]]; return e.giver == r ? e.taker : e.giver; };
+    auto above = [&](int r)
+    {
+      const Edge& e = m_edges[edge_up[r]];
+      return e.giver == r ? e.taker : e.giver;
+    };
     for(int root = 0; root <= m_size; ++root)
     {
       if(depth[root] != -1)
@@ -271,13 +274,13 @@ private:
   const Field_problem& m_problem;
   const Dual_laplacian& m_laplacian;
   int m_size = 0;
-  std::vector<int> m_row;               // per sector
+  std::vector<int> m_row; // per sector
   std::vector<Edge> m_edges;
-  std::vector<int> m_sector_forest;     // edges of the forest of sectors
-  std::vector<int> m_loops;             // edges that close the loops
-  std::vector<int> m_anchors;           // rows
-  Eigen::MatrixXf m_inverse;            // G, with a row and a column of zeros at its end
-  Eigen::MatrixXf m_harmonic;           // H
+  std::vector<int> m_sector_forest; // edges of the forest of sectors
+  std::vector<int> m_loops;         // edges that close the loops
+  std::vector<int> m_anchors;       // rows
+  Eigen::MatrixXf m_inverse;        // G, with a row and a column of zeros at its end
+  Eigen::MatrixXf m_harmonic;       // H
 };
 
 } // namespace internal

@@ -36,7 +36,8 @@ public:
     : m_problem(&problem)
     , m_singularity_cost(singularity_cost)
     , m_doublet_cost(doublet_cost)
-    , m_may_cost(doublet_cost > 0 || std::any_of(singularity_cost.begin(), singularity_cost.end(), [](double c) { return c > 0; }))
+    , m_may_cost(doublet_cost > 0 ||
+                 std::any_of(singularity_cost.begin(), singularity_cost.end(), [](double c) { return c > 0; }))
   {
     set_state(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
                                [&](int e) { return problem.residual(e, field); }));
@@ -61,10 +62,7 @@ public:
   }
 
   // Whether one of the sectors next to edge e costs anything now.
-  bool is_costly(int e) const
-  {
-    return m_may_cost && (m_costs[giver(e)] || m_costs[taker(e)]);
-  }
+  bool is_costly(int e) const { return m_may_cost && (m_costs[giver(e)] || m_costs[taker(e)]); }
 
   void change_jump(int e, int by)
   {
@@ -76,14 +74,25 @@ public:
   double cost_change(int e, int by)
   {
     const int s[2] = { giver(e), taker(e) };
-    return change_of(s, 2, [&] { change_jump(e, by); }, [&] { change_jump(e, -by); });
+    return change_of(
+      s, 2, [&] { change_jump(e, by); }, [&] { change_jump(e, -by); });
   }
 
   double cost_change(int e, int by, int e2, int by2)
   {
     const int s[4] = { giver(e), taker(e), giver(e2), taker(e2) };
-    return change_of(s, 4, [&] { change_jump(e, by); change_jump(e2, by2); },
-                           [&] { change_jump(e, -by); change_jump(e2, -by2); });
+    return change_of(
+      s, 4,
+      [&]
+      {
+      change_jump(e, by);
+      change_jump(e2, by2);
+      },
+      [&]
+      {
+      change_jump(e, -by);
+      change_jump(e2, -by2);
+    });
   }
 
   bool has_closed_sector_with_less_than(int k) const
@@ -141,10 +150,7 @@ private:
     m_costs[s] = cost_of(s, m_quads[s]) > 0;
   }
 
-  bool is_empty(int s, int k) const
-  {
-    return (m_problem->sectors.bounded[s] || m_problem->sectors.closed[s]) && k < 1;
-  }
+  bool is_empty(int s, int k) const { return (m_problem->sectors.bounded[s] || m_problem->sectors.closed[s]) && k < 1; }
 
   double cost_of(int s, int k) const
   {
@@ -216,7 +222,8 @@ private:
         {
           const int by = m.halfedge_of_edge[e] == h ? -1 : 1;
           const int t = m_problem->sectors.of_corner[m.next(h)];
-          const double step = (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem->residual(e, field));
+          const double step =
+            (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem->residual(e, field));
           if(front.reach(t, length + step))
             from_halfedge[t] = h;
         }
@@ -231,7 +238,7 @@ private:
   const Field_problem* m_problem;
   State m_quads;
   std::vector<int> m_valence; // per vertex, once it is needed: the sum of its sectors
-  std::vector<char> m_costs; // per sector: whether it costs anything now
+  std::vector<char> m_costs;  // per sector: whether it costs anything now
   std::vector<double> m_singularity_cost;
   double m_doublet_cost;
   bool m_may_cost;

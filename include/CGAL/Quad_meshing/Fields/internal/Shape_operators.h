@@ -24,17 +24,14 @@ namespace internal {
 // The curvatures of a surface averaged over a disk.
 struct Shape_operator
 {
-  double maximum = 0;  // the principal curvature of larger absolute value
-  double minimum = 0;  // the other one
-  double angle = 0;    // of the axis in which the surface bends least, in the plane of the disk, modulo pi
+  double maximum = 0; // the principal curvature of larger absolute value
+  double minimum = 0; // the other one
+  double angle = 0;   // of the axis in which the surface bends least, in the plane of the disk, modulo pi
 
   double mean() const { return (maximum + minimum) / 2; }
 
   // 0 where both curvatures are equally strong, 1 on parabolic regions.
-  double anisotropy() const
-  {
-    return maximum == 0 ? 0 : (std::abs(maximum) - std::abs(minimum)) / std::abs(maximum);
-  }
+  double anisotropy() const { return maximum == 0 ? 0 : (std::abs(maximum) - std::abs(minimum)) / std::abs(maximum); }
 };
 
 // Shape operators of disks about face centroids, after Cohen-Steiner and Morvan 2003: every edge bends the surface
@@ -175,8 +172,8 @@ private:
 
   const Indexed_triangle_mesh& m_mesh;
   const std::vector<char> m_is_feature; // per edge
-  std::vector<Vector_3> m_normal;  // per face: its area vector
-  std::vector<double> m_bend;      // per edge: its signed dihedral angle, 0 if flat
+  std::vector<Vector_3> m_normal;       // per face: its area vector
+  std::vector<double> m_bend;           // per edge: its signed dihedral angle, 0 if flat
   std::vector<int> m_face_mark, m_edge_mark;
   std::vector<int> m_faces, m_edges; // of the last disk
 };

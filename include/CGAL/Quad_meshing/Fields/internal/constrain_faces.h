@@ -22,7 +22,9 @@ namespace Quad_meshing {
 namespace internal {
 
 // What the default map of directions returns: nothing.
-struct No_direction {};
+struct No_direction
+{
+};
 
 template <typename FaceDescriptor>
 struct No_face_direction
@@ -44,10 +46,11 @@ void constrain_face(Field_problem& problem, int f, const OptionalVector_3& direc
 {
   if(!direction || problem.constrained[f] || !(weight > 0))
     return;
-  const Indexed_triangle_mesh::Vector_3 d(to_double(direction->x()), to_double(direction->y()), to_double(direction->z()));
+  const Indexed_triangle_mesh::Vector_3 d(to_double(direction->x()), to_double(direction->y()),
+                                          to_double(direction->z()));
   const std::array<int, 3>& c = problem.mesh.corners[f];
-  const std::array<Indexed_triangle_mesh::Point_3, 3> p =
-    {{ problem.mesh.points[c[0]], problem.mesh.points[c[1]], problem.mesh.points[c[2]] }};
+  const std::array<Indexed_triangle_mesh::Point_3, 3> p = { { problem.mesh.points[c[0]], problem.mesh.points[c[1]],
+                                                              problem.mesh.points[c[2]] } };
   Indexed_triangle_mesh::Vector_3 x, y;
   if(!triangle_axes(p, x, y))
     return;

@@ -26,16 +26,17 @@ find_salient_directions(const Indexed_triangle_mesh& mesh, double target_edge_le
                         Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction);
 
 // The target edge length of every face; see `curvature_sizing()`.
-CGAL_QUAD_MESHING_INLINE Curvature_guide_result
-find_curvature_sizing(const Indexed_triangle_mesh& mesh, double tolerance, double minimum, double maximum, double gradation,
-                      Any_visitor& visitor, std::vector<double>& length);
+CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_sizing(const Indexed_triangle_mesh& mesh,
+                                                                      double tolerance, double minimum, double maximum,
+                                                                      double gradation, Any_visitor& visitor,
+                                                                      std::vector<double>& length);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Fields/internal/curvature_guides_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/curvature_guides_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_CURVATURE_GUIDES_H

@@ -77,7 +77,8 @@ find_salient_directions(const Indexed_triangle_mesh& m, double target_edge_lengt
   Bbox_3 box;
   for(const auto& p : m.points)
     box += p.bbox();
-  const double radius = std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2)) / 2;
+  const double radius =
+    std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2)) / 2;
   // Flatter than this is flat: a tenth of the curvature of the bounding sphere.
   const double flat = 0.1 / radius;
 
@@ -122,9 +123,9 @@ find_salient_directions(const Indexed_triangle_mesh& m, double target_edge_lengt
   return result;
 }
 
-CGAL_QUAD_MESHING_INLINE Curvature_guide_result
-find_curvature_sizing(const Indexed_triangle_mesh& m, double tolerance, double minimum, double maximum, double gradation,
-                      Any_visitor& visitor, std::vector<double>& length)
+CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_sizing(const Indexed_triangle_mesh& m, double tolerance,
+                                                                      double minimum, double maximum, double gradation,
+                                                                      Any_visitor& visitor, std::vector<double>& length)
 {
   if(!(tolerance > 0))
     return invalid_curvature_guide("The tolerance is not a positive number.");

@@ -22,17 +22,16 @@ namespace internal {
 
 // The directions in which the surface bends least, of length one, in some faces, and their weights; see
 // `curvature_directions()`. `is_feature` has a value per edge.
-CGAL_QUAD_MESHING_INLINE Curvature_guide_result
-find_curvature_directions(const Indexed_triangle_mesh& mesh, double target_edge_length, const std::vector<char>& is_feature,
-                          Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction,
-                          std::vector<double>& weight);
+CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
+  const Indexed_triangle_mesh& mesh, double target_edge_length, const std::vector<char>& is_feature,
+  Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction, std::vector<double>& weight);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Fields/internal/find_curvature_directions_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/find_curvature_directions_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_FIND_CURVATURE_DIRECTIONS_H

@@ -45,8 +45,7 @@ public:
     Bbox_3 box;
     for(const auto& p : m.points)
       box += p.bbox();
-    m_model_radius =
-      std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2)) / 2;
+    m_model_radius = std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2)) / 2;
     for(int i = 0; i < number_of_radii; ++i)
       m_radii.push_back(target_edge_length * (smallest_radius + i * step));
   }
@@ -101,10 +100,9 @@ private:
   std::vector<double> m_radii;
 };
 
-CGAL_QUAD_MESHING_INLINE Curvature_guide_result
-find_curvature_directions(const Indexed_triangle_mesh& m, double target_edge_length, const std::vector<char>& is_feature,
-                          Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction,
-                          std::vector<double>& weight)
+CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
+  const Indexed_triangle_mesh& m, double target_edge_length, const std::vector<char>& is_feature, Any_visitor& visitor,
+  std::vector<Indexed_triangle_mesh::Vector_3>& direction, std::vector<double>& weight)
 {
   if(!(target_edge_length > 0) || !std::isfinite(target_edge_length))
     return invalid_curvature_guide("The target edge length is not a positive number.");

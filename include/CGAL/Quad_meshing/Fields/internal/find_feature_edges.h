@@ -20,16 +20,16 @@ namespace Quad_meshing {
 namespace internal {
 
 // The feature edges of a mesh, one flag per edge; see `detect_feature_edges()`.
-CGAL_QUAD_MESHING_INLINE Feature_edges_result
-find_feature_edges(const Indexed_triangle_mesh& mesh, double angle_in_degrees, double target_edge_length,
-                   std::vector<char>& is_feature);
+CGAL_QUAD_MESHING_INLINE Feature_edges_result find_feature_edges(const Indexed_triangle_mesh& mesh,
+                                                                 double angle_in_degrees, double target_edge_length,
+                                                                 std::vector<char>& is_feature);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Fields/internal/find_feature_edges_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/find_feature_edges_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_FIND_FEATURE_EDGES_H

@@ -51,9 +51,9 @@ inline std::vector<char> find_sharp_edges(const Indexed_triangle_mesh& m, double
   return is_sharp;
 }
 
-CGAL_QUAD_MESHING_INLINE Feature_edges_result
-find_feature_edges(const Indexed_triangle_mesh& m, double angle_in_degrees, double target_edge_length,
-                   std::vector<char>& is_feature)
+CGAL_QUAD_MESHING_INLINE Feature_edges_result find_feature_edges(const Indexed_triangle_mesh& m,
+                                                                 double angle_in_degrees, double target_edge_length,
+                                                                 std::vector<char>& is_feature)
 {
   Feature_edges_result result;
   is_feature.assign(m.number_of_edges(), false);

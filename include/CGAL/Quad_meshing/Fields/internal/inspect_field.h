@@ -27,7 +27,7 @@ struct Field_defects
   std::vector<int> vertices_without_quads; // vertices with a sector of no quad, or less
   std::vector<int> indices;                // per vertex, in quarters
   int index_sum = 0;
-  int expected_index_sum = 0;              // if the border is aligned
+  int expected_index_sum = 0; // if the border is aligned
 };
 
 // `problem` needs its aligned edges and its sectors. If an angle is not finite nothing else is looked at.
@@ -38,7 +38,7 @@ CGAL_QUAD_MESHING_INLINE Field_defects inspect_field(const Field_problem& proble
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Fields/internal/inspect_field_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/inspect_field_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_INSPECT_FIELD_H

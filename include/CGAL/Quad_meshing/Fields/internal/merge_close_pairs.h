@@ -55,9 +55,9 @@ const double one_quad_too_many = 0.75;
 // Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than
 // that in space, which is what a map cannot tell apart, on a path not much longer. `front` and `arrived_by`, the
 // halfedge by which a sector was reached, are work space of one entry per sector.
-inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads, const std::vector<double>& fitting,
-                                int sector, double reach, Distance_front& front, std::vector<int>& arrived_by,
-                                std::vector<Singularity_pair>& pairs)
+inline void find_close_partners(const Field_problem& problem, const std::vector<int>& quads,
+                                const std::vector<double>& fitting, int sector, double reach, Distance_front& front,
+                                std::vector<int>& arrived_by, std::vector<Singularity_pair>& pairs)
 {
   // A path along edges of equilateral triangles is up to 2/sqrt(3) times as long as the way it stands for.
   const double detour = 1.2;
@@ -99,8 +99,8 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
 // twice this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
 // moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a
 // quad more or less than its angle fits.
-inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach, Sector_quads& quads,
-                              Cross_field& field, Stage_progress& progress)
+inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach,
+                              Sector_quads& quads, Cross_field& field, Stage_progress& progress)
 {
   const std::vector<double> fitting = fitting_quads(problem);
   auto excess = [&](int s) { return quads.state()[s] - fitting[s]; };

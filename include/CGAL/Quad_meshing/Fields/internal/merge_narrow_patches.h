@@ -29,9 +29,7 @@ class Patch_merging
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
 public:
-  Patch_merging(const Indexed_triangle_mesh& mesh, std::vector<char>& is_sharp)
-    : m_mesh(mesh), m_is_sharp(is_sharp)
-  {}
+  Patch_merging(const Indexed_triangle_mesh& mesh, std::vector<char>& is_sharp) : m_mesh(mesh), m_is_sharp(is_sharp) {}
 
   // Unmarks the sharp edges between a patch narrower than `least_width` and the neighbor that it bends least to, until
   // no patch with a neighbor is narrow. Returns the number of patches that were joined.
@@ -99,7 +97,7 @@ private:
   // Every patch takes part in one joining at most: the widths of others are still true then.
   std::size_t join_narrow_patches(double least_width)
   {
-    std::vector<std::map<int, Contact> > contacts(m_patches.size());
+    std::vector<std::map<int, Contact>> contacts(m_patches.size());
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
     {
       const int h = m_mesh.halfedge_of_edge[e], o = m_mesh.opposite[h];
@@ -119,7 +117,7 @@ private:
         contacts[sides.first][sides.second].bend += l * b;
       }
     }
-    std::vector<std::pair<double, int> > narrow;
+    std::vector<std::pair<double, int>> narrow;
     for(int p = 0; p < static_cast<int>(m_patches.size()); ++p)
       if(m_patches[p].width() < least_width && !contacts[p].empty())
         narrow.push_back(std::make_pair(m_patches[p].width(), p));
@@ -132,8 +130,11 @@ private:
       const int p = entry.second;
       if(partner[p] != -1)
         continue;
-      const int q = std::min_element(contacts[p].begin(), contacts[p].end(), [](const auto& a, const auto& b)
-                                     { return a.second.mean_bend() < b.second.mean_bend(); })->first;
+      const int q =
+        std::min_element(contacts[p].begin(), contacts[p].end(),
+                         [](const auto& a, const auto& b) {
+        return a.second.mean_bend() < b.second.mean_bend();
+        })->first;
       if(partner[q] != -1)
         continue;
       partner[p] = q;
@@ -166,7 +167,8 @@ private:
 };
 
 // See Patch_merging. Border edges must not be marked.
-inline std::size_t merge_narrow_patches(const Indexed_triangle_mesh& mesh, double least_width, std::vector<char>& is_sharp)
+inline std::size_t merge_narrow_patches(const Indexed_triangle_mesh& mesh, double least_width,
+                                        std::vector<char>& is_sharp)
 {
   return Patch_merging(mesh, is_sharp).run(least_width);
 }

@@ -48,7 +48,7 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
       const double side = std::sqrt(m.vector(m.prev(h)).squared_length());
       reach_vertex(m.source(m.prev(h)), side * std::abs(std::sin(problem.frames.corner_angle(h))));
     }
-  std::vector<std::vector<int> > around(m.number_of_vertices());
+  std::vector<std::vector<int>> around(m.number_of_vertices());
   for(int h = 0; h < m.number_of_halfedges(); ++h)
   {
     around[m.source(h)].push_back(h);

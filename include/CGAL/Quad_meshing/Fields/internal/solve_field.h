@@ -28,9 +28,9 @@ struct Field_options
 };
 
 // Computes a smooth cross field [Bom12, 8.2] and fills in the figures of the result.
-CGAL_QUAD_MESHING_INLINE Cross_field_status
-solve_field(const Field_problem& problem, const Field_options& options, Any_visitor& visitor, Cross_field& field,
-            Cross_field_result& result);
+CGAL_QUAD_MESHING_INLINE Cross_field_status solve_field(const Field_problem& problem, const Field_options& options,
+                                                        Any_visitor& visitor, Cross_field& field,
+                                                        Cross_field_result& result);
 
 // The index of every vertex in quarters: 4, or 2 on the border, minus the quads of its whole fan.
 CGAL_QUAD_MESHING_INLINE std::vector<int> field_indices(const Field_problem& problem, const Cross_field& field);
@@ -40,7 +40,7 @@ CGAL_QUAD_MESHING_INLINE std::vector<int> field_indices(const Field_problem& pro
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Fields/internal/solve_field_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/solve_field_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_FIELDS_INTERNAL_SOLVE_FIELD_H

@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE Cross_field_status
-solve_field(const Field_problem& problem, const Field_options& options, Any_visitor& visitor, Cross_field& field,
-            Cross_field_result& result)
+CGAL_QUAD_MESHING_INLINE Cross_field_status solve_field(const Field_problem& problem, const Field_options& options,
+                                                        Any_visitor& visitor, Cross_field& field,
+                                                        Cross_field_result& result)
 {
   const Visited_stage stage(visitor, "cross field");
   Stage_progress progress(visitor);
@@ -34,8 +34,8 @@ CGAL_QUAD_MESHING_INLINE std::vector<int> field_indices(const Field_problem& pro
   const Indexed_triangle_mesh& m = problem.mesh;
   const std::vector<char> undivided(m.number_of_edges(), 0);
   const Field_sectors fans = make_field_sectors(m, undivided);
-  const std::vector<int> quads = quads_of_sectors(m, problem.frames, undivided, fans,
-                                                  [&](int e) { return problem.residual(e, field); });
+  const std::vector<int> quads =
+    quads_of_sectors(m, problem.frames, undivided, fans, [&](int e) { return problem.residual(e, field); });
   std::vector<int> index(m.number_of_vertices(), 0);
   for(int i = 0; i < fans.number_of_sectors(); ++i)
     index[fans.vertex[i]] += (fans.closed[i] ? 4 : 2) - quads[i];

@@ -37,8 +37,9 @@ public:
       m_length[k] = sqrt(dot(side[k], side[k]));
     }
     const auto &u = side[0], &v = side[1];
-    const std::array<Number, 3> n = {{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] }};
-    const Number area = sqrt(dot(n, n));       // twice
+    const std::array<Number, 3> n = { { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                        u[0] * v[1] - u[1] * v[0] } };
+    const Number area = sqrt(dot(n, n)); // twice
     for(int k = 0; k < 3; ++k)
     {
       if(is_point(k))
@@ -50,19 +51,20 @@ public:
       const int n = (k + 1) % 3, p = (k + 2) % 3;
       if(is_point(k))
         continue;
-      if(! is_point(n))
+      if(!is_point(n))
         m_to_next[k] = Place(dot(side[k], side[n]) / (m_length[k] * m_length[n]), area / (m_length[k] * m_length[n]));
-      if(! is_point(p))
+      if(!is_point(p))
         m_to_apex[k] = Place(m_apex[k].first / m_length[p], m_apex[k].second / m_length[p]);
     }
   }
 
   // Whether an edge has no length.
-  bool is_point(int k) const { return ! (m_length[k].lower() > 0); }
+  bool is_point(int k) const { return !(m_length[k].lower() > 0); }
 
   const Number& length(int k) const { return m_length[k]; }
 
-  // In the frame of halfedge k: its opposite corner, the direction of the next halfedge, and the direction from its source to the opposite corner.
+  // In the frame of halfedge k: its opposite corner, the direction of the next halfedge, and the direction from its
+  // source to the opposite corner.
   const Place& apex(int k) const { return m_apex[k]; }
   const Place& to_next(int k) const { return m_to_next[k]; }
   const Place& to_apex(int k) const { return m_to_apex[k]; }
@@ -78,14 +80,18 @@ public:
   }
 
 private:
-  static Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
 
   std::array<Number, 3> m_length;
   std::array<Place, 3> m_apex, m_to_next, m_to_apex;
 };
 
 // The place of a point of a face in the frame of its first halfedge, which must not be a point.
-inline Certified_face::Place certified_place(const Indexed_triangle_mesh& mesh, int face, const Certified_face& shape, const Surface_point<double>& p)
+inline Certified_face::Place certified_place(const Indexed_triangle_mesh& mesh, int face, const Certified_face& shape,
+                                             const Surface_point<double>& p)
 {
   typedef Surface_point<double> Point;
   typedef Certified_number Number;

@@ -20,11 +20,11 @@ namespace internal {
 // A real number that is known up to a radius: it lies in [high + low - radius, high + low + radius], where
 // |low| is at most half a unit in the last place of `high`.
 //
-// The center has about 106 bits, so that a long computation still tells apart numbers that are equal in double: what remains
-// of a difference of distances is the rounding of the stored windows. The radius is a proven bound: the
-// error-free transformations of Knuth and Dekker give the rounding errors of the operations on `high` as numbers; what is lost
-// in the operations on `low` is less than 2^-102 of the operands (Joldes, Muller, Popescu 2017), for which 2^-100 is added, and
-// every operation on radii is rounded up by a factor. Needs rounding to nearest.
+// The center has about 106 bits, so that a long computation still tells apart numbers that are equal in double: what
+// remains of a difference of distances is the rounding of the stored windows. The radius is a proven bound: the
+// error-free transformations of Knuth and Dekker give the rounding errors of the operations on `high` as numbers; what
+// is lost in the operations on `low` is less than 2^-102 of the operands (Joldes, Muller, Popescu 2017), for which
+// 2^-100 is added, and every operation on radii is rounded up by a factor. Needs rounding to nearest.
 class Certified_number
 {
 public:
@@ -80,7 +80,7 @@ public:
   friend Certified_number operator/(const Certified_number& a, const Certified_number& b)
   {
     const double least = b.m_high > 0 ? b.lower() : (-b).lower();
-    if(! (least > 0))
+    if(!(least > 0))
       return unknown();
     const double q = a.m_high / b.m_high;
     Certified_number r;
@@ -110,7 +110,7 @@ private:
   static Certified_number unknown() { return Certified_number(0, 0, std::numeric_limits<double>::infinity()); }
 
   static constexpr double lost() { return 0x1p-100; }
-  static constexpr double underflow() { return 0x1p-1000; }       // more than what products of tiny numbers lose
+  static constexpr double underflow() { return 0x1p-1000; } // more than what products of tiny numbers lose
   static double inflated(double radius) { return radius * (1 + 0x1p-48); }
   static double rounded(double x, int direction)
   {

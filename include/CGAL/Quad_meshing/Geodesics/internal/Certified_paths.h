@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Proves upper bounds of the distances of vertices: the lengths of paths that are there. A path goes from vertex to vertex and over
-// edges at given parts of them; whether it is a shortest one does not matter to the proof.
+// Proves upper bounds of the distances of vertices: the lengths of paths that are there. A path goes from vertex to
+// vertex and over edges at given parts of them; whether it is a shortest one does not matter to the proof.
 class Certified_paths
 {
 public:
@@ -37,11 +37,16 @@ public:
   typedef Window<double> W;
 
   Certified_paths(const Mesh& mesh, const Propagation& propagation, const Sources& sources)
-    : m_mesh(mesh), m_propagation(propagation), m_sources(sources), m_queries(mesh, propagation, sources),
-      m_upper(mesh.number_of_vertices(), infinity())
-  {}
+    : m_mesh(mesh)
+    , m_propagation(propagation)
+    , m_sources(sources)
+    , m_queries(mesh, propagation, sources)
+    , m_upper(mesh.number_of_vertices(), infinity())
+  {
+  }
 
-  // A bound for each vertex, infinity for those that are not reached. `go_on` is asked now and then, with the part that is done.
+  // A bound for each vertex, infinity for those that are not reached. `go_on` is asked now and then, with the part that
+  // is done.
   template <typename GoOn>
   const std::vector<double>& operator()(const GoOn& go_on)
   {
@@ -50,14 +55,15 @@ public:
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(m_propagation.is_reached(v))
         order.push_back(v);
-    std::sort(order.begin(), order.end(), [&](int v, int w)
-    {
+    std::sort(order.begin(), order.end(),
+              [&](int v, int w)
+              {
       const double d = m_propagation.label(v).distance, e = m_propagation.label(w).distance;
       return d != e ? d < e : v < w;
     });
     for(std::size_t i = 0; i < order.size(); ++i)
     {
-      if(i % 1024 == 0 && ! go_on(static_cast<double>(i) / static_cast<double>(order.size())))
+      if(i % 1024 == 0 && !go_on(static_cast<double>(i) / static_cast<double>(order.size())))
         break;
       const int v = order[i], origin = m_propagation.label(v).origin;
       if(origin < 0 && vertex_of(origin) == v)
@@ -66,7 +72,7 @@ public:
       {
         double shortest = infinity();
         for(Manner manner : { STRAIGHT, STRAIGHT_TO_ORIGIN, STEP_BY_STEP })
-          if(! (shortest <= m_propagation.label(v).distance * (1 + 1e-12)))
+          if(!(shortest <= m_propagation.label(v).distance * (1 + 1e-12)))
             shortest = (std::min)(shortest, length_of_path(v, manner));
         m_upper[v] = shortest;
       }
@@ -91,12 +97,18 @@ private:
     if(origin >= 0)
       return origin;
     const Source_element<double>& e = m_sources.elements()[~origin];
-    return ! e.is_segment && e.from.carrier == Surface_point<double>::VERTEX ? e.from.simplex : -1;
+    return !e.is_segment && e.from.carrier == Surface_point<double>::VERTEX ? e.from.simplex : -1;
   }
 
-  // How windows are followed: straight to their pseudo-sources, beginning with the nearest one or, as rounding may prefer another one
-  // that the vertex hardly misses, with the one that has reached the vertex; or by asking the field again in each face.
-  enum Manner { STRAIGHT, STRAIGHT_TO_ORIGIN, STEP_BY_STEP };
+  // How windows are followed: straight to their pseudo-sources, beginning with the nearest one or, as rounding may
+  // prefer another one that the vertex hardly misses, with the one that has reached the vertex; or by asking the field
+  // again in each face.
+  enum Manner
+  {
+    STRAIGHT,
+    STRAIGHT_TO_ORIGIN,
+    STEP_BY_STEP
+  };
 
   // An upper bound of the length of a path from a vertex to a source or to a vertex with a bound.
   double length_of_path(int v, Manner manner) const
@@ -152,13 +164,13 @@ private:
     return Place{ -1, h, t / length };
   }
 
-  // From the place `here` straight on to the pseudo-source of the window by which one came to it, from face to face. Stops at the
-  // pseudo-source, or where it cannot go on, at the last place before.
+  // From the place `here` straight on to the pseudo-source of the window by which one came to it, from face to face.
+  // Stops at the pseudo-source, or where it cannot go on, at the last place before.
   double go_straight(const A& a, Place& here) const
   {
     const int goal = vertex_of(a.origin);
     W w = W();
-    if(goal == -1 || ! find_window(a, w))
+    if(goal == -1 || !find_window(a, w))
       return 0;
     double sum = 0, x = w.x, y = w.y;
     int h = here.halfedge;
@@ -197,7 +209,7 @@ private:
         to_next_frame(m_mesh, Mesh::next(o), x, y);
       }
       y = -y;
-      if(! (y > 0) || ! (s > 0 && s < 1) || m_mesh.length_of(exit) == 0 || m_mesh.opposite[exit] == -1)
+      if(!(y > 0) || !(s > 0 && s < 1) || m_mesh.length_of(exit) == 0 || m_mesh.opposite[exit] == -1)
         return sum;
       here = Place{ -1, exit, s };
       sum = added(sum, way(m_mesh.face(o), start, here));
@@ -214,9 +226,9 @@ private:
     double nearest = infinity();
     for(W w : m_propagation.windows(m_mesh.edge_of[h]))
     {
-      if(w.origin != a.origin || w.linear || w.from_left == is_canonical || ! (w.y > 0))
+      if(w.origin != a.origin || w.linear || w.from_left == is_canonical || !(w.y > 0))
         continue;
-      if(! is_canonical)
+      if(!is_canonical)
         w.reverse(m_mesh.length_of(h));
       const double miss = (std::max)({ 0., w.b0 - a.place, a.place - w.b1 });
       if(miss < nearest)
@@ -234,7 +246,8 @@ private:
   double way(int face, const Place& a, const Place& b) const
   {
     const auto d = place(face, a) - place(face, b);
-    return (std::sqrt(d * d) + rounding() * (m_mesh.length_of(3 * face) + m_mesh.length_of(3 * face + 1) + m_mesh.length_of(3 * face + 2))) *
+    return (std::sqrt(d * d) + rounding() * (m_mesh.length_of(3 * face) + m_mesh.length_of(3 * face + 1) +
+                                             m_mesh.length_of(3 * face + 2))) *
            (1 + rounding());
   }
 
@@ -254,9 +267,9 @@ private:
     const Certified_face shape(m_mesh, face);
     if(shape.is_point(0))
       return infinity();
-    const Certified_face::Place p = here.vertex != -1
-      ? certified_place(m_mesh, face, shape, Point{ Point::VERTEX, here.vertex, 0., 0. })
-      : shape.along(here.halfedge % 3, here.part);
+    const Certified_face::Place p =
+      here.vertex != -1 ? certified_place(m_mesh, face, shape, Point{ Point::VERTEX, here.vertex, 0., 0. })
+                        : shape.along(here.halfedge % 3, here.part);
     Certified_face::Place q = certified_place(m_mesh, face, shape, e.from);
     if(e.is_segment)
     {

@@ -20,14 +20,14 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The distance of the field along an edge as a function without gaps: the smallest of its windows and of the ways over the ends of the edge,
-// and where neither is known to be right the ways from the ends of the windows.
+// The distance of the field along an edge as a function without gaps: the smallest of its windows and of the ways over
+// the ends of the edge, and where neither is known to be right the ways from the ends of the windows.
 class Edge_distance
 {
   typedef Window<double> W;
 
 public:
-  std::vector<W> pieces;      // sorted, without gaps, from 0 to the length (as rounded)
+  std::vector<W> pieces; // sorted, without gaps, from 0 to the length (as rounded)
   double at_source, at_target;
   double length;
 
@@ -40,7 +40,8 @@ public:
     pieces.clear();
     if(length == 0)
       return;
-    // no distance grows faster than the way along the edge, so what is longer than the way from an end is so up to some place
+    // no distance grows faster than the way along the edge, so what is longer than the way from an end is so up to some
+    // place
     const W from_source = way(0., length, 0., at_source), from_target = way(0., length, length, at_target);
     const auto& windows = propagation.windows(e);
     double end = 0, value = at_source;
@@ -49,20 +50,20 @@ public:
       W w = windows[i];
       w.b0 = (std::max)(w.b0, end);
       w.b1 = (std::min)(w.b1, length);
-      if(! (w.b1 - w.b0 > rounding() * length))
+      if(!(w.b1 - w.b0 > rounding() * length))
         continue;
       if(w.b1 - w.b0 <= narrow() * length &&
-         ((! pieces.empty() && is_nearer(pieces.back(), w)) || (i + 1 < windows.size && is_nearer(windows[i + 1], w))))
+         ((!pieces.empty() && is_nearer(pieces.back(), w)) || (i + 1 < windows.size && is_nearer(windows[i + 1], w))))
         continue;
       const double first = crossing(w, from_source, w.b0, w.b1);
       const double last = crossing(w, from_target, w.b1, w.b0);
-      if(! (first < last))
+      if(!(first < last))
         continue;
       w.b0 = first;
       w.b1 = last;
       if(w.b0 > end)
       {
-        if(! pieces.empty() && w.b0 - end <= thin() * (length + value - pieces.back().sigma))
+        if(!pieces.empty() && w.b0 - end <= thin() * (length + value - pieces.back().sigma))
           pieces.back().b1 = w.b0;
         else
           fill(end, value, w.b0, w.distance(w.b0));
@@ -84,11 +85,12 @@ public:
   }
 
 private:
-  // A window narrower than this part of the length is left to a neighbour if that is nearer by more than the width: it is
-  // the remainder of one that was replaced by two others which do not meet for rounding.
+  // A window narrower than this part of the length is left to a neighbour if that is nearer by more than the width: it
+  // is the remainder of one that was replaced by two others which do not meet for rounding.
   static double narrow() { return 1e-6; }
-  // A gap up to this part of the length or of the distance to the source is left to the window before it: the window of a shadow
-  // that was too narrow to be kept on an edge before. Both neighbours are right in there up to the square of the width.
+  // A gap up to this part of the length or of the distance to the source is left to the window before it: the window of
+  // a shadow that was too narrow to be kept on an edge before. Both neighbours are right in there up to the square of
+  // the width.
   static double thin() { return 1e-9; }
 
   static double rounding() { return 1e-15; }
@@ -99,13 +101,16 @@ private:
     return v.distance(w.b0) < w.distance(w.b0) - width && v.distance(w.b1) < w.distance(w.b1) - width;
   }
 
-  static W way(double b0, double b1, double from, double d) { return W{ b0, b1, from, 0., d, 0, false, false, false, 0.f }; }
+  static W way(double b0, double b1, double from, double d)
+  {
+    return W{ b0, b1, from, 0., d, 0, false, false, false, 0.f };
+  }
 
   // How far from `near`, in the direction of `far`, w is longer than the way v from an end of the edge.
   static double crossing(const W& w, const W& v, double near, double far)
   {
     const auto is_longer = [&](double t) { return w.distance(t) > v.distance(t) * (1 + 1e-14); };
-    if(! is_longer(near))
+    if(!is_longer(near))
       return near;
     for(int i = 0; i < 60 && near != far; ++i)
     {

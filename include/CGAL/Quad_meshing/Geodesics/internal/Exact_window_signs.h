@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The signs behind the predicates of `Window_predicates`, exact for the numbers that are stored. These functions are called when a
-// filter in double leaves a doubt, so they are short rather than fast. All numbers must be finite.
+// The signs behind the predicates of `Window_predicates`, exact for the numbers that are stored. These functions are
+// called when a filter in double leaves a doubt, so they are short rather than fast. All numbers must be finite.
 class Exact_window_signs
 {
 public:
@@ -40,7 +40,8 @@ public:
     return larger == 0 ? 0 : larger > 0 ? s : d;
   }
 
-  // Of v.distance(t) - w.distance(t), and 0 if that is at most `slack` times the length of the two parts of w.distance(t).
+  // Of v.distance(t) - w.distance(t), and 0 if that is at most `slack` times the length of the two parts of
+  // w.distance(t).
   static int distance_difference(const W& v, const W& w, double t, double slack)
   {
     const Distance d(v, t), e(w, t);
@@ -73,7 +74,7 @@ private:
   struct Distance
   {
     Q rational, square;
-    Q rational_length;          // the lengths of its parts
+    Q rational_length; // the lengths of its parts
 
     Distance(const W& w, double t)
     {

@@ -26,11 +26,12 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Takes windows from one edge of a face to the two others; where an edge is open, on to the edges behind it. All windows of the edge go
-// together from corner to corner, so that each face is unfolded once, and on each edge they arrive in their order.
+// Takes windows from one edge of a face to the two others; where an edge is open, on to the edges behind it. All
+// windows of the edge go together from corner to corner, so that each face is unfolded once, and on each edge they
+// arrive in their order.
 //
-// The ways through a group of faces divide at its corners and may meet again behind them, in the same face but in different frames. There the
-// windows of both go on: the nearer ones are found where they stop.
+// The ways through a group of faces divide at its corners and may meet again behind them, in the same face but in
+// different frames. There the windows of both go on: the nearer ones are found where they stop.
 //
 // `Front` receives the windows and the distances of the vertices: `Wavefront`, which asks for the windows at the edges
 // where they stop, or `Group_front`, which asks for them at the open edges that they pass.
@@ -66,14 +67,17 @@ public:
     Segment parts = new_segment(windows.size());
     for(const W& w : windows)
       m_parts[parts.end++] = Part{ static_cast<int>(&w - m_windows), false, false, w.b0, w.b1 };
-    pass(Corner{ Vector{ apex.x, apex.y }, Vector{ l, FT(0) }, Vector{ apex.back, apex.y }, Vector{ -apex.x, -apex.y }, h, true }, parts);
+    pass(Corner{ Vector{ apex.x, apex.y }, Vector{ l, FT(0) }, Vector{ apex.back, apex.y }, Vector{ -apex.x, -apex.y },
+                 h, true },
+         parts);
     for(const Exit& exit : m_exits)
       if(mesh.length_of(exit.halfedge) > FT(0))
         leave(exit);
     go_back();
   }
 
-  // Receives a window that comes through the face of the halfedge, in the frame of the halfedge: on it, or behind it if it is open.
+  // Receives a window that comes through the face of the halfedge, in the frame of the halfedge: on it, or behind it if
+  // it is open.
   BOOST_NOINLINE void arrive(int h, W w)
   {
     const int o = m_front.behind(h);
@@ -87,13 +91,16 @@ public:
   }
 
 private:
-  struct Vector { FT x, y; };
+  struct Vector
+  {
+    FT x, y;
+  };
 
   // A part of a window, on its way to an exit.
   struct Part
   {
     int window;
-    bool begins_at_corner, ends_at_corner;      // whether its rays at the right, at the left end lead to the end of the exit
+    bool begins_at_corner, ends_at_corner; // whether its rays at the right, at the left end lead to the end of the exit
     FT b0, b1;
   };
 
@@ -109,8 +116,8 @@ private:
   struct Exit
   {
     int halfedge;
-    bool is_last;                // whether it ends at p
-    Vector begin, side;          // from where, and how far it runs
+    bool is_last;       // whether it ends at p
+    Vector begin, side; // from where, and how far it runs
     Segment parts;
   };
 
@@ -118,10 +125,10 @@ private:
   struct Corner
   {
     Vector place;
-    Vector begin;                // where the right side begins
+    Vector begin; // where the right side begins
     Vector right_side, left_side;
-    int halfedge;                // through which its face is entered
-    bool is_last;                // whether its face contains p
+    int halfedge; // through which its face is entered
+    bool is_last; // whether its face contains p
   };
 
   // The ray of a window to a corner, which crosses h at origin + across / depth.
@@ -130,10 +137,11 @@ private:
     FT origin, across, depth;
 
     Ray(const W& w, const Vector& c)
-      : origin(w.linear ? FT(0) : w.x),
-        across(w.linear ? FT(c.x * w.y - c.y * w.x) : FT((c.x - w.x) * w.y)),
-        depth(w.linear ? w.y : FT(c.y + w.y))
-    {}
+      : origin(w.linear ? FT(0) : w.x)
+      , across(w.linear ? FT(c.x * w.y - c.y * w.x) : FT((c.x - w.x) * w.y))
+      , depth(w.linear ? w.y : FT(c.y + w.y))
+    {
+    }
 
     FT place() const { return origin + across / depth; }
 
@@ -141,7 +149,8 @@ private:
     FT beyond(const FT& b) const { return across - (b - origin) * depth; }
   };
 
-  // Room for so many parts, none of them there yet. What it had before in other segments stays until the windows have left.
+  // Room for so many parts, none of them there yet. What it had before in other segments stays until the windows have
+  // left.
   Segment new_segment(std::size_t size)
   {
     const std::size_t begin = m_number_of_parts;
@@ -178,9 +187,9 @@ private:
       left.end += is_left;
       right.end += is_right;
     }
-    if(! left.is_empty())
+    if(!left.is_empty())
       go_through(Mesh::prev(c.halfedge), c.place, c.left_side, c.is_last, left);
-    if(! right.is_empty())
+    if(!right.is_empty())
       go_through(Mesh::next(c.halfedge), c.begin, c.right_side, false, right);
   }
 
@@ -199,27 +208,29 @@ private:
     }
     const Ray ray(w, c);
     const FT doubtful = m_doubtful * ray.depth;
-    if(ray.beyond(part.b0) > doubtful && ray.beyond(part.b1) < -doubtful && ! is_far(corner, w))
+    if(ray.beyond(part.b0) > doubtful && ray.beyond(part.b1) < -doubtful && !is_far(corner, w))
     {
       reach_corner(corner, w);
       pass_on_both_sides(ray.place(), part, left, right);
       return;
     }
-    const auto is_right_of = [&](const FT& b, const FT& slack) { return Predicates::is_right_of(w, c.x, c.y, b, slack); };
+    const auto is_right_of = [&](const FT& b, const FT& slack)
+    { return Predicates::is_right_of(w, c.x, c.y, b, slack); };
     const auto is_left_of = [&](const FT& b, const FT& slack) { return Predicates::is_left_of(w, c.x, c.y, b, slack); };
-    // The ends of the part may miss the corner by rounding: what is beyond them may come another way around a corner before, in other frames.
+    // The ends of the part may miss the corner by rounding: what is beyond them may come another way around a corner
+    // before, in other frames.
     const FT gap0 = w.largest_gap(part.b0, m_length), gap1 = w.largest_gap(part.b1, m_length);
-    if(! is_left_of(part.b0, FT(-gap0)) && ! is_right_of(part.b1, gap1))
+    if(!is_left_of(part.b0, FT(-gap0)) && !is_right_of(part.b1, gap1))
       reach_corner(corner, w);
-    if(! is_left_of(part.b1, FT(-m_place)))
-      add(left, part).begins_at_corner = ! is_right_of(part.b1, m_place);
+    if(!is_left_of(part.b1, FT(-m_place)))
+      add(left, part).begins_at_corner = !is_right_of(part.b1, m_place);
     else if(is_right_of(part.b0, m_place))
       pass_on_both_sides((std::min)((std::max)(w.place_of_ray(c.x, c.y), part.b0), part.b1), part, left, right);
     else
-      add(right, part).ends_at_corner = ! is_left_of(part.b0, FT(-m_place));
+      add(right, part).ends_at_corner = !is_left_of(part.b0, FT(-m_place));
   }
 
-  bool is_far(const Corner& c, const W& w) const { return ! (absolute(w.linear ? c.place.x : w.x) < m_far); }
+  bool is_far(const Corner& c, const W& w) const { return !(absolute(w.linear ? c.place.x : w.x) < m_far); }
 
   // Divides a part by the ray to the corner, which crosses h at t.
   void pass_on_both_sides(const FT& t, const Part& part, Segment& left, Segment& right)
@@ -248,7 +259,9 @@ private:
     // the way from `begin` to the apex behind; o runs backwards
     const Vector right{ a.y * uy - a.back * ux, -a.y * ux - a.back * uy };
     enter(Mesh::face(o));
-    pass(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right, Vector{ side.x - right.x, side.y - right.y }, o, is_last }, parts);
+    pass(Corner{ Vector{ begin.x + right.x, begin.y + right.y }, begin, right,
+                 Vector{ side.x - right.x, side.y - right.y }, o, is_last },
+         parts);
     go_back();
   }
 
@@ -276,11 +289,13 @@ private:
   {
     const Mesh& mesh = m_front.mesh();
     const FT bx = w.linear ? w.x : FT(c.place.x - w.x), by = w.linear ? w.y : FT(c.place.y + w.y);
-    const FT d = w.linear ? FT(w.sigma + c.place.x * bx + c.place.y * by) : FT(w.sigma + square_root(bx * bx + by * by));
+    const FT d =
+      w.linear ? FT(w.sigma + c.place.x * bx + c.place.y * by) : FT(w.sigma + square_root(bx * bx + by * by));
     // the angle from the left side to the way back, (-bx, -by)
     const int left = Mesh::prev(c.halfedge);
-    m_front.reach(mesh.source(left), d, w.origin, w.error, [&]
-    {
+    m_front.reach(mesh.source(left), d, w.origin, w.error,
+                  [&]
+                  {
       return mesh.direction[left] + std::atan2(as_double(FT(c.left_side.y * bx - c.left_side.x * by)),
                                                as_double(FT(-c.left_side.x * bx - c.left_side.y * by)));
     });
@@ -297,7 +312,8 @@ private:
     const auto hit = [&](const W& w, const FT& b)
     {
       const FT rise = w.linear ? w.x : FT(b - w.x), d = rise * side.y - w.y * side.x;
-      return exit.is_last ? FT(width * (FT(1) - w.y * b / d)) : FT(width * (((begin.x - b) * w.y - begin.y * rise) / d));
+      return exit.is_last ? FT(width * (FT(1) - w.y * b / d))
+                          : FT(width * (((begin.x - b) * w.y - begin.y * rise) / d));
     };
     const Part* part = &m_parts[landing.is_canonical ? exit.parts.end - 1 : exit.parts.begin];
     const int step = landing.is_canonical ? -1 : 1;
@@ -325,14 +341,14 @@ private:
   }
 
   Front& m_front;
-  FT m_length, m_place;              // of the edge that the windows come from
-  FT m_doubtful, m_far;              // a ray is clear of a place that is so far away, if its source is not too far for rounding
+  FT m_length, m_place; // of the edge that the windows come from
+  FT m_doubtful, m_far; // a ray is clear of a place that is so far away, if its source is not too far for rounding
   const W* m_windows = nullptr;
   std::vector<Part> m_parts;
   std::size_t m_number_of_parts = 0;
   std::vector<Exit> m_exits;
-  std::vector<int> m_way;                           // the faces that the parts have come through
-  std::array<unsigned char, 256> m_marks{ };        // how many of them there are of each number modulo 256: none for most
+  std::vector<int> m_way;                   // the faces that the parts have come through
+  std::array<unsigned char, 256> m_marks{}; // how many of them there are of each number modulo 256: none for most
 };
 
 } // namespace internal

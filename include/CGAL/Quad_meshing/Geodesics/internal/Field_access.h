@@ -16,13 +16,30 @@ namespace internal {
 // What the functions that continue from a field may look at.
 struct Field_access
 {
-  template <typename Field> static const auto& mesh(const Field& f) { return f.m_mesh; }
-  template <typename Field> static const auto& sources(const Field& f) { return f.m_sources; }
-  template <typename Field> static const auto& graph(const Field& f) { return f.m_tm; }
-  template <typename Field, typename Vertex> static int index(const Field& f, Vertex v) { return f.index(v); }
+  template <typename Field>
+  static const auto& mesh(const Field& f)
+  {
+    return f.m_mesh;
+  }
+  template <typename Field>
+  static const auto& sources(const Field& f)
+  {
+    return f.m_sources;
+  }
+  template <typename Field>
+  static const auto& graph(const Field& f)
+  {
+    return f.m_tm;
+  }
+  template <typename Field, typename Vertex>
+  static int index(const Field& f, Vertex v)
+  {
+    return f.index(v);
+  }
 
   // null if there is no field, or none with windows
-  template <typename Field> static const auto* propagation(const Field& f)
+  template <typename Field>
+  static const auto* propagation(const Field& f)
   {
     return f.m_has_windows ? f.m_propagation.get() : nullptr;
   }

@@ -10,9 +10,9 @@
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_FIELD_MESH_H
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_result.h>
-#include <CGAL/Quad_meshing/internal/Spatial_numbers.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Unfolded_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Spatial_numbers.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -33,8 +33,8 @@ namespace internal {
 // The mesh of a distance field: the graph that the user knows, its unfolded form, and the numbers that lead from one to
 // the other.
 //
-// The unfolded mesh numbers vertices, faces and edges by where they lie: the front reads what is near it in space, which then is
-// near in memory. Many meshes number their elements as if at random.
+// The unfolded mesh numbers vertices, faces and edges by where they lie: the front reads what is near it in space,
+// which then is near in memory. Many meshes number their elements as if at random.
 template <typename TriangleMesh, typename FT>
 class Field_mesh
 {
@@ -51,16 +51,17 @@ public:
     using parameters::get_parameter;
 
     m_tm = &tm;
-    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
+    auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
     const auto vim = vertex_numbers(tm, np);
     const auto fim = face_numbers(tm, np);
     m_number_of_vertex = [vim](vertex_descriptor v) { return static_cast<int>(get(vim, v)); };
     m_number_of_face = [fim](face_descriptor f) { return static_cast<int>(get(fim, f)); };
     Indexed_triangle_mesh mesh;
-    if(! read_points(mesh, vpm, vim))
+    if(!read_points(mesh, vpm, vim))
       return Geodesic_distance_status::POINT_NOT_FINITE;
     number_faces(vim, fim);
-    if(! read_faces(mesh, vim, fim))
+    if(!read_faces(mesh, vim, fim))
       return Geodesic_distance_status::NOT_A_TRIANGLE_MESH;
     m_unfolded = Unfolded_mesh<FT>(std::move(mesh));
     return Geodesic_distance_status::SUCCESS;
@@ -88,7 +89,7 @@ private:
     {
       const auto& p = get(vpm, v);
       const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()), z = CGAL::to_double(p.z());
-      if(! std::isfinite(x) || ! std::isfinite(y) || ! std::isfinite(z))
+      if(!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
         return false;
       points[get(vim, v)] = Point_3(x, y, z);
       box += Bbox_3(x, y, z, x, y, z);
@@ -144,7 +145,7 @@ private:
         if(leaving == -1 || is_on_border)
           leaving = g;
         if(mesh.edge_of[g] != -1)
-          continue;        // seen from the other side
+          continue; // seen from the other side
         const int e = mesh.number_of_edges();
         mesh.halfedge_of_edge.push_back(g);
         mesh.edge_of[g] = e;
@@ -172,10 +173,10 @@ private:
 
   const TriangleMesh* m_tm = nullptr;
   Unfolded_mesh<FT> m_unfolded;
-  std::function<int(vertex_descriptor)> m_number_of_vertex;     // by the index maps
+  std::function<int(vertex_descriptor)> m_number_of_vertex; // by the index maps
   std::function<int(face_descriptor)> m_number_of_face;
-  std::vector<int> m_vertex_index, m_face_index;                // per number
-  std::vector<face_descriptor> m_faces;                         // per index
+  std::vector<int> m_vertex_index, m_face_index; // per number
+  std::vector<face_descriptor> m_faces;          // per index
 };
 
 } // namespace internal

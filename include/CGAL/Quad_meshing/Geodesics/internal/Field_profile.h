@@ -36,20 +36,22 @@ public:
 
   Field_profile(const Mesh& mesh, const Propagation& propagation, const Sources& sources)
     : m_mesh(mesh), m_propagation(propagation), m_sources(sources)
-  {}
+  {
+  }
 
   // Where along the segment from a to b (fractions of it) the distance differs most from the line between
   // the distances da and db at its ends, and by how much.
   //
-  // The windows tell where that may be. What they say of the distance there is asked again of the field (`distance_at`, for a
-  // fraction of the segment): where a segment runs along the rays at the end of a window it is a matter of rounding which
-  // windows reach it.
+  // The windows tell where that may be. What they say of the distance there is asked again of the field (`distance_at`,
+  // for a fraction of the segment): where a segment runs along the rays at the end of a window it is a matter of
+  // rounding which windows reach it.
   template <typename DistanceAt>
-  std::pair<double, double> largest_deviation(int face, const Place& a, const Place& b, double da, double db, const DistanceAt& distance_at)
+  std::pair<double, double> largest_deviation(int face, const Place& a, const Place& b, double da, double db,
+                                              const DistanceAt& distance_at)
   {
     const double length = std::hypot(b.first - a.first, b.second - a.second);
     std::pair<double, double> worst(0.5, 0.);
-    if(! (length > 0))
+    if(!(length > 0))
       return worst;
     make(face, a, b, length);
     const double slope = (db - da) / length;
@@ -70,7 +72,7 @@ public:
       look_at(w, w.b0);
       look_at(w, w.b1);
       // between its ends a circular window is farthest from a line where it is parallel to it
-      if(! w.linear && std::abs(slope) < 1)
+      if(!w.linear && std::abs(slope) < 1)
       {
         const double t = w.x + w.y * slope / std::sqrt(1 - slope * slope);
         if(t > w.b0 && t < w.b1)
@@ -126,38 +128,46 @@ private:
   // A window of halfedge h, which begins at p and has the direction u.
   void insert_window(int h, W w, const Place& p, const Place& u)
   {
-    if(! (w.y > 0))
+    if(!(w.y > 0))
       return;
-    if(! m_mesh.is_canonical(h))
+    if(!m_mesh.is_canonical(h))
       w.reverse(m_mesh.length_of(h));
     const Place p0(p.first + w.b0 * u.first, p.second + w.b0 * u.second);
     const Place p1(p.first + w.b1 * u.first, p.second + w.b1 * u.second);
     // the face lies to the left of u
-    const auto in_frame = [&](double x, double y) { return Place(x * u.first - y * u.second, x * u.second + y * u.first); };
+    const auto in_frame = [&](double x, double y)
+    { return Place(x * u.first - y * u.second, x * u.second + y * u.first); };
     double t0 = 0, t1 = m_length;
     if(w.linear)
     {
       const Place n = in_frame(w.x, w.y);
-      if(! clip_right(p0, n, t0, t1) || ! clip_left(p1, n, t0, t1))
+      if(!clip_right(p0, n, t0, t1) || !clip_left(p1, n, t0, t1))
         return;
       insert_linear(n, w.sigma + w.x * w.b0, p0, t0, t1);
     }
     else
     {
       const Place r = in_frame(w.x, -w.y), s(p.first + r.first, p.second + r.second);
-      if(! clip_right(p0, Place(p0.first - s.first, p0.second - s.second), t0, t1) ||
-         ! clip_left(p1, Place(p1.first - s.first, p1.second - s.second), t0, t1))
+      if(!clip_right(p0, Place(p0.first - s.first, p0.second - s.second), t0, t1) ||
+         !clip_left(p1, Place(p1.first - s.first, p1.second - s.second), t0, t1))
         return;
       insert_circular(s, w.sigma, t0, t1);
     }
   }
 
   // Restricts [t0, t1] to the right (left) of the ray from p in direction d.
-  bool clip_right(const Place& p, const Place& d, double& t0, double& t1) const { return clip(d.second, d.first * p.second - d.second * p.first, d, t0, t1); }
-  bool clip_left(const Place& p, const Place& d, double& t0, double& t1) const { return clip(-d.second, d.second * p.first - d.first * p.second, d, t0, t1); }
+  bool clip_right(const Place& p, const Place& d, double& t0, double& t1) const
+  {
+    return clip(d.second, d.first * p.second - d.second * p.first, d, t0, t1);
+  }
+  bool clip_left(const Place& p, const Place& d, double& t0, double& t1) const
+  {
+    return clip(-d.second, d.second * p.first - d.first * p.second, d, t0, t1);
+  }
 
-  // A window that reaches the segment is taken to reach so much farther, as a part of the length: windows leave gaps from rounding,
-  // and a segment along their rays would fall into them. A distance found so is wrong by the square of this.
+  // A window that reaches the segment is taken to reach so much farther, as a part of the length: windows leave gaps
+  // from rounding, and a segment along their rays would fall into them. A distance found so is wrong by the square of
+  // this.
   static double clip_slack() { return 1e-7; }
 
   // Restricts [t0, t1] to where a t + b >= 0, up to rounding.
@@ -179,7 +189,8 @@ private:
   // The distance `d` at p grows in direction n.
   void insert_linear(const Place& n, double d, const Place& p, double t0, double t1)
   {
-    insert(W{ t0, t1, n.first, std::abs(n.second), d - n.first * p.first - n.second * p.second, 0, true, true, false, 0.f });
+    insert(
+      W{ t0, t1, n.first, std::abs(n.second), d - n.first * p.first - n.second * p.second, 0, true, true, false, 0.f });
   }
 
   // The distance to the segment pq where the foot lies within it; its ends are sources of their own.

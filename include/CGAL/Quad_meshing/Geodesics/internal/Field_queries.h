@@ -26,12 +26,18 @@ namespace internal {
 template <typename FT>
 struct Arrival
 {
-  enum Kind { NOWHERE, FROM_VERTEX, THROUGH_EDGE, FROM_ELEMENT } kind;
+  enum Kind
+  {
+    NOWHERE,
+    FROM_VERTEX,
+    THROUGH_EDGE,
+    FROM_ELEMENT
+  } kind;
   FT distance;
-  int simplex;        // vertex, halfedge of the face, or element
-  FT x, y;            // where the piece begins, in the frame of the first halfedge of the face
-  FT place;           // on the halfedge, if THROUGH_EDGE
-  int origin;         // see Window::origin
+  int simplex; // vertex, halfedge of the face, or element
+  FT x, y;     // where the piece begins, in the frame of the first halfedge of the face
+  FT place;    // on the halfedge, if THROUGH_EDGE
+  int origin;  // see Window::origin
 };
 
 // Evaluates a finished propagation anywhere. The distance in a face is the minimum over the windows
@@ -56,7 +62,8 @@ public:
 
   Field_queries(const Mesh& mesh, const Propagation& propagation, const Sources& sources)
     : m_mesh(mesh), m_propagation(propagation), m_sources(sources)
-  {}
+  {
+  }
 
   // How the point (x, y) of a face is reached, not counting corner `no_corner` and windows on halfedge
   // `no_halfedge` of the face (the way by which one came).
@@ -66,7 +73,7 @@ public:
     for(int k = 0; k < 3; ++k)
     {
       const int v = m_mesh.corners[face][k];
-      if(k == no_corner || ! m_propagation.is_reached(v))
+      if(k == no_corner || !m_propagation.is_reached(v))
         continue;
       const auto c = corner_place(m_mesh, face, k);
       const FT d = m_propagation.label(v).distance + norm(FT(x - c.first), FT(y - c.second));
@@ -82,7 +89,8 @@ public:
     return best;
   }
 
-  // How a vertex is reached; `face` is set to a face in which the last piece lies. If `from_origin`, only from the pseudo-source of its label.
+  // How a vertex is reached; `face` is set to a face in which the last piece lies. If `from_origin`, only from the
+  // pseudo-source of its label.
   A arrival_at_vertex(int v, int& face, bool from_origin = false) const
   {
     A best{ A::NOWHERE, Propagation::unreached(), -1, FT(0), FT(0), FT(0), 0 };
@@ -93,7 +101,7 @@ public:
       const int k = m_mesh.corners[f][0] == v ? 0 : m_mesh.corners[f][1] == v ? 1 : 2;
       const auto c = corner_place(m_mesh, f, k);
       A a{ A::NOWHERE, Propagation::unreached(), -1, c.first, c.second, FT(0), 0 };
-      if(! from_origin)
+      if(!from_origin)
         a = arrival(f, c.first, c.second, k);
       else
         try_windows(3 * f + (k + 1) % 3, c.first, c.second, a, false, m_propagation.label(v).origin);
@@ -167,7 +175,7 @@ public:
     if(n == 0 || m_mesh.length_of(3 * face) == FT(0))
       return Vector_3(0, 0, 0);
     const Vector_3 u = m_mesh.vector(3 * face) / as_double(m_mesh.length_of(3 * face));
-    Vector_3 w = - m_mesh.vector(3 * face + 2);
+    Vector_3 w = -m_mesh.vector(3 * face + 2);
     w = w - (w * u) * u;
     const double l = std::sqrt(w * w);
     return l == 0 ? Vector_3(0, 0, 0) : Vector_3(x / n * u + y / n * (w / l));
@@ -181,7 +189,7 @@ public:
     w2 = (std::min)((std::max)(w2, 0.), 1.);
     double w1 = l > 0 ? (px - w2 * rx) / l : 0;
     w1 = (std::min)((std::max)(w1, 0.), 1 - w2);
-    return {{ (std::max)(0., 1 - w1 - w2), w1, w2 }};
+    return { { (std::max)(0., 1 - w1 - w2), w1, w2 } };
   }
 
 private:
@@ -190,7 +198,7 @@ private:
   bool is_source(int v) const
   {
     const Source_element<FT>& e = m_sources.elements()[~m_propagation.label(v).origin];
-    return ! e.is_segment && e.from.carrier == Point::VERTEX && e.from.simplex == v;
+    return !e.is_segment && e.from.carrier == Point::VERTEX && e.from.simplex == v;
   }
 
   // Compares the windows on a halfedge with the best way so far, all of them or those from one pseudo-source.
@@ -212,10 +220,10 @@ private:
     const bool canonical = m_mesh.is_canonical(h);
     for(const Window<FT>& window : m_propagation.windows(m_mesh.edge_of[h]))
     {
-      if(window.from_left == canonical || (! all && window.origin != origin))
+      if(window.from_left == canonical || (!all && window.origin != origin))
         continue;
       Window<FT> w = window;
-      if(! canonical)
+      if(!canonical)
         w.reverse(length);
       // where the straight way to the source leaves, or the nearest place of the window
       FT t = x;
@@ -223,8 +231,10 @@ private:
         t = w.y > FT(0) ? FT(x - y * w.x / w.y) : w.b0;
       else if(y + w.y > FT(0))
         t = w.x + (x - w.x) * w.y / (y + w.y);
-      if(t < w.b0) t = w.b0;
-      if(w.b1 < t) t = w.b1;
+      if(t < w.b0)
+        t = w.b0;
+      if(w.b1 < t)
+        t = w.b1;
       const FT d = w.distance(t) + norm(FT(x - t), y);
       if(d < best.distance)
         best = A{ A::THROUGH_EDGE, d, h, FT(p.first + t * ux), FT(p.second + t * uy), t, w.origin };
@@ -240,8 +250,10 @@ private:
       const auto to = place_in_face(m_mesh, face, e.to);
       const FT vx = to.first - foot.first, vy = to.second - foot.second;
       FT s = ((x - foot.first) * vx + (y - foot.second) * vy) / (vx * vx + vy * vy);
-      if(s < FT(0)) s = FT(0);
-      if(FT(1) < s) s = FT(1);
+      if(s < FT(0))
+        s = FT(0);
+      if(FT(1) < s)
+        s = FT(1);
       foot.first = foot.first + s * vx;
       foot.second = foot.second + s * vy;
     }

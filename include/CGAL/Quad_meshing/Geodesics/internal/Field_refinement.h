@@ -42,18 +42,21 @@ public:
   typedef Refined::Edge_index Edge;
   typedef Refined::Face_index Face;
 
-  Field_refinement(const Mesh& mesh, const Window_propagation<double>& propagation, const Field_sources<double>& sources)
+  Field_refinement(const Mesh& mesh, const Window_propagation<double>& propagation,
+                   const Field_sources<double>& sources)
     : m_mesh(mesh), m_queries(mesh, propagation, sources), m_profile(mesh, propagation, sources)
   {
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      add_vertex(m_refined.add_vertex(mesh.points[v]), Point{ Point::VERTEX, v, 0., 0. }, propagation.label(v).distance);
+      add_vertex(m_refined.add_vertex(mesh.points[v]), Point{ Point::VERTEX, v, 0., 0. },
+                 propagation.label(v).distance);
     for(const auto& c : mesh.corners)
       m_refined.add_face(Vertex(c[0]), Vertex(c[1]), Vertex(c[2]));
     for(Face f : m_refined.faces())
       m_input_face.push_back(static_cast<int>(f));
   }
 
-  // Refines until every edge is good to `tolerance` or `maximum_faces` are there. Returns the largest error that is left.
+  // Refines until every edge is good to `tolerance` or `maximum_faces` are there. Returns the largest error that is
+  // left.
   double refine(double tolerance, std::size_t maximum_faces)
   {
     double worst = evaluate(tolerance);
@@ -106,9 +109,10 @@ private:
         if(is_reached(p) && is_reached(q))
         {
           const auto a = place_in_face(m_mesh, f, m_places[p]), b = place_in_face(m_mesh, f, m_places[q]);
-          d = m_profile.largest_deviation(f, a, b, m_distance[p], m_distance[q], [&](double t)
-          {
-            return m_queries.arrival(f, a.first + t * (b.first - a.first), a.second + t * (b.second - a.second)).distance;
+          d = m_profile.largest_deviation(f, a, b, m_distance[p], m_distance[q],
+                                          [&](double t) {
+            return m_queries.arrival(f, a.first + t * (b.first - a.first), a.second + t * (b.second - a.second))
+              .distance;
           });
         }
         m_error[e] = d.second;
@@ -128,12 +132,13 @@ private:
     return t < 0.125 ? 0.25 : t < 0.25 ? 2 * t : t;
   }
 
-  // Tags the third edge where two are tagged, and in flat triangles the longest one where another one is. Without that, new
-  // vertices can creep up to an edge forever: the edge is good enough, but the edges from its ends to a point close to it are not.
+  // Tags the third edge where two are tagged, and in flat triangles the longest one where another one is. Without that,
+  // new vertices can creep up to an edge forever: the edge is good enough, but the edges from its ends to a point close
+  // to it are not.
   void tag_further_edges()
   {
     std::vector<Face> stack(m_refined.faces().begin(), m_refined.faces().end());
-    while(! stack.empty())
+    while(!stack.empty())
     {
       const Face f = stack.back();
       const Halfedge h = m_refined.halfedge(f);
@@ -144,13 +149,14 @@ private:
         tagged += m_split[m_refined.edge(g)] > 0;
       if(tagged == 0 || tagged == 3)
         continue;
-      const Halfedge longest = *std::max_element(corners, corners + 3, [&](Halfedge a, Halfedge b) { return squared_length(a) < squared_length(b); });
+      const Halfedge longest = *std::max_element(
+        corners, corners + 3, [&](Halfedge a, Halfedge b) { return squared_length(a) < squared_length(b); });
       for(Halfedge g : corners)
         if(m_split[m_refined.edge(g)] == 0 && (tagged == 2 || (g == longest && is_flat(f))))
         {
           m_split[m_refined.edge(g)] = 0.5;
           stack.push_back(f);
-          if(! m_refined.is_border(m_refined.opposite(g)))
+          if(!m_refined.is_border(m_refined.opposite(g)))
             stack.push_back(m_refined.face(m_refined.opposite(g)));
         }
     }
@@ -186,7 +192,8 @@ private:
     for(int h = 3 * f; h < 3 * f + 3; ++h)
       if(Field_sources<double>::lies_on(m_mesh, h, p) && Field_sources<double>::lies_on(m_mesh, h, q))
       {
-        const double a = Field_sources<double>::place_on(m_mesh, h, p), b = Field_sources<double>::place_on(m_mesh, h, q);
+        const double a = Field_sources<double>::place_on(m_mesh, h, p),
+                     b = Field_sources<double>::place_on(m_mesh, h, q);
         return Point{ Point::EDGE, h, a + t * (b - a), 0. };
       }
     const auto a = place_in_face(m_mesh, f, p), b = place_in_face(m_mesh, f, q);
@@ -210,15 +217,15 @@ private:
       const double d = m_queries.arrival(f, place.first, place.second).distance;
 
       const Halfedge h = m_refined.halfedge(e);
-      const Halfedge g = Euler::split_edge(h, m_refined);     // ends at the new vertex, then comes h
+      const Halfedge g = Euler::split_edge(h, m_refined); // ends at the new vertex, then comes h
       const Vertex v = m_refined.target(g);
       m_refined.point(v) = a + t * (b - a);
       add_vertex(v, p, d);
       forget(e);
       forget(m_refined.edge(g));
-      if(! m_refined.is_border(g))
+      if(!m_refined.is_border(g))
         split_face(g);
-      if(! m_refined.is_border(m_refined.opposite(h)))
+      if(!m_refined.is_border(m_refined.opposite(h)))
         split_face(m_refined.opposite(h));
     }
   }
@@ -276,12 +283,12 @@ private:
   Field_profile m_profile;
   Refined m_refined;
   double m_initial_error = 0;
-  std::vector<Point> m_places;         // per vertex: its place on the input
-  std::vector<double> m_distance;      // per vertex
-  std::vector<int> m_input_face;       // per face
-  std::vector<double> m_error;         // per edge: the interpolation error, negative if unknown
-  std::vector<double> m_split;         // per edge: where to split it, 0 if it stays
-  std::vector<bool> m_is_red;          // per edge: whether it was made inside a triangle in this round
+  std::vector<Point> m_places;    // per vertex: its place on the input
+  std::vector<double> m_distance; // per vertex
+  std::vector<int> m_input_face;  // per face
+  std::vector<double> m_error;    // per edge: the interpolation error, negative if unknown
+  std::vector<double> m_split;    // per edge: where to split it, 0 if it stays
+  std::vector<bool> m_is_red;     // per edge: whether it was made inside a triangle in this round
 };
 
 } // namespace internal

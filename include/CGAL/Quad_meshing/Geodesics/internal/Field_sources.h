@@ -26,9 +26,14 @@ namespace internal {
 template <typename FT>
 struct Surface_point
 {
-  enum Carrier { VERTEX, EDGE, FACE } carrier;
-  int simplex;      // vertex, halfedge or face
-  FT x, y;          // on an edge: the place x
+  enum Carrier
+  {
+    VERTEX,
+    EDGE,
+    FACE
+  } carrier;
+  int simplex; // vertex, halfedge or face
+  FT x, y;     // on an edge: the place x
 };
 
 // A piece of a source: a point, or a segment within one face or along one edge.
@@ -37,10 +42,10 @@ struct Source_element
 {
   Surface_point<FT> from, to;
   bool is_segment;
-  int face;                // of a segment: a face that contains it, -1 if it runs along `halfedge`
+  int face; // of a segment: a face that contains it, -1 if it runs along `halfedge`
   int halfedge;
   FT offset;
-  std::size_t source;      // the user's source that it belongs to
+  std::size_t source; // the user's source that it belongs to
 };
 
 // Weights below this (they sum to one) count as zero: the point lies on the edge or the vertex.
@@ -82,13 +87,12 @@ Surface_point<FT> surface_point(const Unfolded_mesh<FT>& m, int face, std::array
       return Point{ Point::VERTEX, m.corners[face][k], FT(0), FT(0) };
     if(zeros == 1 && w[k] == 0)
     {
-      const int h = 3 * face + (k + 1) % 3;      // runs from corner k+1 to corner k+2
+      const int h = 3 * face + (k + 1) % 3; // runs from corner k+1 to corner k+2
       return Point{ Point::EDGE, h, FT(FT(w[(k + 2) % 3]) / sum * m.length_of(h)), FT(0) };
     }
   }
   const auto q = corner_place(m, face, 1), r = corner_place(m, face, 2);
-  return Point{ Point::FACE, face, FT((FT(w[1]) * q.first + FT(w[2]) * r.first) / sum),
-                FT(FT(w[2]) * r.second / sum) };
+  return Point{ Point::FACE, face, FT((FT(w[1]) * q.first + FT(w[2]) * r.first) / sum), FT(FT(w[2]) * r.second / sum) };
 }
 
 // The place of a point in the frame of the first halfedge of a face that contains it.
@@ -207,16 +211,16 @@ public:
       m_of_face.push_back(std::make_pair(m.face(m.opposite[h]), last()));
   }
 
-  // Adds the segments between consecutive points and the points; a closed curve repeats its first point at the end. Returns false if two
-  // consecutive points do not lie in one face.
+  // Adds the segments between consecutive points and the points; a closed curve repeats its first point at the end.
+  // Returns false if two consecutive points do not lie in one face.
   bool add_polyline(const Mesh& m, const std::vector<Point>& points, const FT& offset, std::size_t source)
   {
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       const bool is_last_of_closed = i > 0 && i + 1 == points.size() && is_same(m, points[0], points[i]);
-      if(! is_last_of_closed)
+      if(!is_last_of_closed)
         add_point(m, points[i], offset, source);
-      if(i > 0 && ! add_segment(m, points[i - 1], points[i], offset, source))
+      if(i > 0 && !add_segment(m, points[i - 1], points[i], offset, source))
         return false;
     }
     return true;
@@ -244,7 +248,7 @@ public:
   void sort() { std::sort(m_of_face.begin(), m_of_face.end()); }
 
   // The elements that lie in a face or on its edges, as a range of pairs (face, element).
-  typedef std::vector<std::pair<int, int> >::const_iterator Iterator;
+  typedef std::vector<std::pair<int, int>>::const_iterator Iterator;
   std::pair<Iterator, Iterator> elements_in_face(int face) const
   {
     const auto before = [](const std::pair<int, int>& a, const std::pair<int, int>& b) { return a.first < b.first; };
@@ -278,7 +282,7 @@ private:
   int last() const { return static_cast<int>(m_elements.size()) - 1; }
 
   std::vector<Element> m_elements;
-  std::vector<std::pair<int, int> > m_of_face;
+  std::vector<std::pair<int, int>> m_of_face;
   std::vector<int> m_faces;
 };
 

@@ -30,7 +30,8 @@ class Front_queue
 public:
   Front_queue(std::size_t edges, std::size_t vertices, double step)
     : m_step(step), m_edge_step(edges, none()), m_vertex_step(vertices, none())
-  {}
+  {
+  }
 
   void push_edge(int e, double key) { push(e, key, m_edge_step, &Bucket::edges); }
   void push_vertex(int v, double key) { push(v, key, m_vertex_step, &Bucket::vertices); }
@@ -43,7 +44,7 @@ public:
   {
     while(m_current < m_buckets.size())
     {
-      if(! step_has_more())
+      if(!step_has_more())
       {
         m_buckets[m_current] = Bucket();
         ++m_current;
@@ -57,15 +58,15 @@ public:
 
   bool step_has_more() const
   {
-    return m_edges_done < m_buckets[m_current].edges.size() ||
-           m_vertices_done < m_buckets[m_current].vertices.size();
+    return m_edges_done < m_buckets[m_current].edges.size() || m_vertices_done < m_buckets[m_current].vertices.size();
   }
 
   // Everything still to come lies between these.
   double front() const { return m_current == 0 ? -std::numeric_limits<double>::infinity() : m_current * m_step; }
   double step() const { return m_step; }
 
-  // Whether a key belongs to this step. Rounding has one opinion about that everywhere: a key that does not is due later.
+  // Whether a key belongs to this step. Rounding has one opinion about that everywhere: a key that does not is due
+  // later.
   bool is_now(double key) const { return step_of(key) <= m_current; }
 
   // A key that belongs to a later step.
@@ -101,7 +102,7 @@ private:
     return static_cast<unsigned>((std::min)((std::max)(s, current), current + look_ahead()));
   }
 
-  void push(int i, double key, std::vector<unsigned>& scheduled, std::vector<int> Bucket::* entries)
+  void push(int i, double key, std::vector<unsigned>& scheduled, std::vector<int> Bucket::*entries)
   {
     const unsigned s = step_of(key);
     if(scheduled[i] <= s)

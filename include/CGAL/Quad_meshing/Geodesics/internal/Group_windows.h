@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Receives the windows at the open edges of one group of faces, after the propagation. What leaves the group is dropped.
+// Receives the windows at the open edges of one group of faces, after the propagation. What leaves the group is
+// dropped.
 template <typename Number>
 class Group_front
 {
@@ -45,22 +46,37 @@ public:
   static constexpr bool asks_at_open_edges = true;
 
   Group_front(const Wavefront<FT>& front, const std::vector<int>& faces)
-    : m_front(front), m_mesh(front.mesh()), m_group(front.open_edges().group_number(faces.front())), m_edges(open_edges(front, faces)), m_lists(m_edges.size())
-  {}
+    : m_front(front)
+    , m_mesh(front.mesh())
+    , m_group(front.open_edges().group_number(faces.front()))
+    , m_edges(open_edges(front, faces))
+    , m_lists(m_edges.size())
+  {
+  }
 
   const Mesh& mesh() const { return m_mesh; }
   const Vertex_label<FT>& label(int v) const { return m_front.label(v); }
-  int behind(int h) const { return m_front.open_edges().group_number(Mesh::face(h)) == m_group ? m_front.behind(h) : -1; }
+  int behind(int h) const
+  {
+    return m_front.open_edges().group_number(Mesh::face(h)) == m_group ? m_front.behind(h) : -1;
+  }
   const std::vector<int>& edges() const { return m_edges; }
   Window_lists<FT>& lists() { return m_lists; }
 
   template <typename Angle>
-  void reach(int, const FT&, int, float, const Angle&) {}
+  void reach(int, const FT&, int, float, const Angle&)
+  {
+  }
 
   Landing landing(int h) const
   {
     const int i = number_of_edge(h), e = m_mesh.edge_of[h];
-    return Landing{ i, m_mesh.is_canonical(h), i == -1, m_mesh.length[e], label(m_mesh.source(h)).distance, label(m_mesh.target(h)).distance,
+    return Landing{ i,
+                    m_mesh.is_canonical(h),
+                    i == -1,
+                    m_mesh.length[e],
+                    label(m_mesh.source(h)).distance,
+                    label(m_mesh.target(h)).distance,
                     i == -1 ? 0 : m_lists[i].size };
   }
 
@@ -75,7 +91,7 @@ public:
   void arrive(int h, const W& w)
   {
     Landing at = landing(h);
-    if(! at.is_closed)
+    if(!at.is_closed)
       arrive(at, w);
   }
 
@@ -84,7 +100,7 @@ public:
     const int i = number_of_edge(h), e = m_mesh.edge_of[h];
     if(i == -1)
       return;
-    if(! m_mesh.is_canonical(h))
+    if(!m_mesh.is_canonical(h))
       w.reverse(m_mesh.length[e]);
     int hint = 0;
     m_envelope.insert(m_lists, m_lists[i], hint, w, m_mesh.length[e]);
@@ -113,15 +129,15 @@ private:
   const Wavefront<FT>& m_front;
   const Mesh& m_mesh;
   int m_group;
-  std::vector<int> m_edges;             // the open ones, sorted
+  std::vector<int> m_edges; // the open ones, sorted
   Window_lists<FT> m_lists;
   Window_envelope<FT> m_envelope;
 };
 
 // The windows on the open edges of a group of faces.
 //
-// Every shortest path to a point of them enters the group through a window on an edge that has a list, or begins inside at a source or
-// at a vertex where it bends. So these are sent on once more, and what is nearest remains.
+// Every shortest path to a point of them enters the group through a window on an edge that has a list, or begins inside
+// at a source or at a vertex where it bends. So these are sent on once more, and what is nearest remains.
 template <typename FT>
 class Group_windows
 {
@@ -135,9 +151,9 @@ public:
     const std::vector<int> faces = front.open_edges().group(face);
     m_first_face = faces.front();
     Group_front<FT> group(front, faces);
-    Face_crossing<Group_front<FT> > cross(group);
-    Vertex_departure<Group_front<FT> > departure(group, cross);
-    Source_departure<Group_front<FT> > start(group, cross, departure);
+    Face_crossing<Group_front<FT>> cross(group);
+    Vertex_departure<Group_front<FT>> departure(group, cross);
+    Source_departure<Group_front<FT>> start(group, cross, departure);
     enter(front, faces, cross);
     for(int f : faces)
       for(int h = 3 * f; h < 3 * f + 3; ++h)
@@ -163,7 +179,7 @@ public:
   }
 
 private:
-  static void enter(const Wavefront<FT>& front, const std::vector<int>& faces, Face_crossing<Group_front<FT> >& cross)
+  static void enter(const Wavefront<FT>& front, const std::vector<int>& faces, Face_crossing<Group_front<FT>>& cross)
   {
     const Mesh& mesh = front.mesh();
     std::vector<W> windows;
@@ -177,7 +193,7 @@ private:
         for(const W& w : front.lists()[mesh.edge_of[h]])
           if(w.from_left != is_canonical && w.y > FT(0))
             windows.push_back(w);
-        if(! is_canonical)
+        if(!is_canonical)
         {
           std::reverse(windows.begin(), windows.end());
           for(W& w : windows)
@@ -218,7 +234,7 @@ private:
 
   int m_first_face;
   std::vector<int> m_edges;
-  std::vector<int> m_begin;           // per edge: where its windows begin
+  std::vector<int> m_begin; // per edge: where its windows begin
   std::unique_ptr<W[]> m_windows;
 };
 

@@ -29,18 +29,18 @@ namespace internal {
 
 // Proves lower bounds of the distances, after the fact and whatever the field is.
 //
-// Let f be the distance that the field claims on the edges. If f(b) <= f(a) + |ab| for any two points a, b on the edges of any face, and
-// f is 0 on the sources, then no path to b is shorter than f(b): its pieces in the faces sum up. Rounding
-// leaves f(b) <= f(a) + |ab| + slack. As some shortest path meets no face twice, no distance is smaller than f minus
-// the slacks of all faces that the path may meet. These are nearer than its end, and the rest of the path is no shorter than the straight
-// line.
+// Let f be the distance that the field claims on the edges. If f(b) <= f(a) + |ab| for any two points a, b on the edges
+// of any face, and f is 0 on the sources, then no path to b is shorter than f(b): its pieces in the faces sum up.
+// Rounding leaves f(b) <= f(a) + |ab| + slack. As some shortest path meets no face twice, no distance is smaller than f
+// minus the slacks of all faces that the path may meet. These are nearer than its end, and the rest of the path is no
+// shorter than the straight line.
 //
-// For one edge of a face and a window w on it, let F be the distance from the source of w when it is put on the outer side of
-// the edge. F(b) is the least of w(a) + |ab| over all a on the line, and the least over the window only if b lies
-// between the rays through its ends. If b lies to the right of all rays of one window and to the left of all rays of the
-// next one, the way over their common end is longer than F(b) of either. So it is enough to compare F with the windows on the
-// two other edges between the rays at the ends, with those of the next window where these turn outwards; corners
-// with their opposite edges; and windows with each other where they meet.
+// For one edge of a face and a window w on it, let F be the distance from the source of w when it is put on the outer
+// side of the edge. F(b) is the least of w(a) + |ab| over all a on the line, and the least over the window only if b
+// lies between the rays through its ends. If b lies to the right of all rays of one window and to the left of all rays
+// of the next one, the way over their common end is longer than F(b) of either. So it is enough to compare F with the
+// windows on the two other edges between the rays at the ends, with those of the next window where these turn outwards;
+// corners with their opposite edges; and windows with each other where they meet.
 class Lipschitz_certificate
 {
 public:
@@ -52,10 +52,11 @@ public:
 
   Lipschitz_certificate(const Mesh& mesh, const Propagation& propagation, const Sources& sources)
     : m_mesh(mesh), m_propagation(propagation), m_sources(sources)
-  {}
+  {
+  }
 
-  // A lower bound for each vertex, given upper bounds; infinity for those that are not reached. `go_on` is asked now and then, with the part that is
-  // done; if it says no, nothing is proven, and the bounds are minus infinity.
+  // A lower bound for each vertex, given upper bounds; infinity for those that are not reached. `go_on` is asked now
+  // and then, with the part that is done; if it says no, nothing is proven, and the bounds are minus infinity.
   template <typename GoOn>
   std::vector<double> operator()(const std::vector<double>& upper, const GoOn& go_on)
   {
@@ -64,7 +65,7 @@ public:
     std::vector<Finding> findings;
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      if(f % 256 == 0 && ! go_on(static_cast<double>(f) / m_mesh.number_of_faces()))
+      if(f % 256 == 0 && !go_on(static_cast<double>(f) / m_mesh.number_of_faces()))
         return lower;
       findings.push_back(examine(f));
     }
@@ -73,12 +74,13 @@ public:
     for(const Source_element<double>& e : m_sources.elements())
     {
       nearest_source = (std::min)(nearest_source, e.offset);
-      if(! e.is_segment && e.from.carrier == Surface_point<double>::VERTEX)
-        at_sources = (std::max)(at_sources, (Number(m_propagation.label(e.from.simplex).distance) - Number(e.offset)).upper());
+      if(!e.is_segment && e.from.carrier == Surface_point<double>::VERTEX)
+        at_sources =
+          (std::max)(at_sources, (Number(m_propagation.label(e.from.simplex).distance) - Number(e.offset)).upper());
     }
     for(std::size_t v = 0; v < upper.size(); ++v)
     {
-      if(! m_propagation.is_reached(static_cast<int>(v)))
+      if(!m_propagation.is_reached(static_cast<int>(v)))
       {
         lower[v] = infinity;
         continue;
@@ -89,7 +91,7 @@ public:
       for(int i = 0; i < 20; ++i)
       {
         const double smaller = above(at_sources + slacks.sum(m_mesh.points[v], above(upper[v] + e)));
-        if(! (smaller < 0.9 * e))
+        if(!(smaller < 0.9 * e))
           break;
         // what a smaller loss takes from the length of the path is nothing already
         const bool is_enough = e < 1e-6 * upper[v];
@@ -124,7 +126,7 @@ public:
       return finding;
     }
 
-    double jumps = 0, to_vertex = 0;        // along an edge, and from the end of an edge to the vertex
+    double jumps = 0, to_vertex = 0; // along an edge, and from the end of an edge to the vertex
     for(int k = 0; k < 3; ++k)
     {
       m_edges[k].make(m_mesh, m_propagation, m_mesh.edge_of[3 * face + k]);
@@ -139,7 +141,8 @@ public:
         continue;
       // the opposite corner
       const double d = m_propagation.label(m_mesh.corners[face][(k + 2) % 3]).distance;
-      compare(face, k, shape, Certified_distance(shape.apex(k).first, shape.apex(k).second, d, false), true, 0, m_edges[k].length * 2);
+      compare(face, k, shape, Certified_distance(shape.apex(k).first, shape.apex(k).second, d, false), true, 0,
+              m_edges[k].length * 2);
       cross(face, k, shape);
     }
     const auto range = m_sources.elements_in_face(face);
@@ -157,8 +160,8 @@ public:
   }
 
 private:
-  // A ray into the face from the end of a window on one of its edges: the direction, in the frame of the halfedge, and how far the end is
-  // from both ends of the edge. Each number has a rounding error of a few units.
+  // A ray into the face from the end of a window on one of its edges: the direction, in the frame of the halfedge, and
+  // how far the end is from both ends of the edge. Each number has a rounding error of a few units.
   struct Ray
   {
     double dx, dy, to_source, to_target;
@@ -175,14 +178,20 @@ private:
   {
     double from, to;
     static Part none() { return Part{ std::numeric_limits<double>::infinity(), 0. }; }
-    bool is_empty() const { return ! (from <= to); }
-    friend Part hull(const Part& a, const Part& b) { return Part{ (std::min)(a.from, b.from), (std::max)(a.to, b.to) }; }
-    friend Part common(const Part& a, const Part& b) { return Part{ (std::max)(a.from, b.from), (std::min)(a.to, b.to) }; }
+    bool is_empty() const { return !(from <= to); }
+    friend Part hull(const Part& a, const Part& b)
+    {
+      return Part{ (std::min)(a.from, b.from), (std::max)(a.to, b.to) };
+    }
+    friend Part common(const Part& a, const Part& b)
+    {
+      return Part{ (std::max)(a.from, b.from), (std::min)(a.to, b.to) };
+    }
   };
 
-  // A ray leaves an edge at the distance `far` from an end, where another edge begins in the direction (cosine, sine). The places of that
-  // edge beyond the ray, seen from the end, and those before it are at a distance of at least and at most far dy / (dx sine - dy cosine),
-  // if that is positive. What is not clear for rounding errors counts as both.
+  // A ray leaves an edge at the distance `far` from an end, where another edge begins in the direction (cosine, sine).
+  // The places of that edge beyond the ray, seen from the end, and those before it are at a distance of at least and at
+  // most far dy / (dx sine - dy cosine), if that is positive. What is not clear for rounding errors counts as both.
   struct Division
   {
     Part before, beyond;
@@ -248,29 +257,32 @@ private:
         on_next = common(divide_next(left_ray).before, next_part);
         on_prev = common(divide_prev(left_ray).beyond, prev_part);
       }
-      else if(! w.linear)
+      else if(!w.linear)
       {
         // all ways from here lead over one place
         const double root = (std::min)((std::max)(w.x, w.b0), w.b1);
         f.sigma = f.sigma + abs(Number::difference(root, w.x));
         f.x = Number(root);
       }
-      if(! is_canonical)
+      if(!is_canonical)
         f.reverse(shape.length(k));
-      if(! shape.is_point(next) && ! on_next.is_empty())
-        compare(face, next, shape, moved_to_target(f, shape.length(k), shape.to_next(k)), true, on_next.from, on_next.to);
-      if(! shape.is_point(prev) && ! on_prev.is_empty())
+      if(!shape.is_point(next) && !on_next.is_empty())
+        compare(face, next, shape, moved_to_target(f, shape.length(k), shape.to_next(k)), true, on_next.from,
+                on_next.to);
+      if(!shape.is_point(prev) && !on_prev.is_empty())
         compare(face, prev, shape, turned(f, shape.to_apex(k)), false, on_prev.from, on_prev.to);
     }
   }
 
-  // Whether the ray of the next window turns away from that of the one before. Below this angle, the way over the common end is longer than
-  // what either window says there by less than the rounding of doubles: half the square of the angle.
+  // Whether the ray of the next window turns away from that of the one before. Below this angle, the way over the
+  // common end is longer than what either window says there by less than the rounding of doubles: half the square of
+  // the angle.
   static bool turns_outwards(const Ray& before, const Ray& next)
   {
-    constexpr double smallest_turn = 1e-8;      // radians
+    constexpr double smallest_turn = 1e-8; // radians
     const double sine = next.dx * before.dy - before.dx * next.dy;
-    return sine > smallest_turn * std::sqrt((before.dx * before.dx + before.dy * before.dy) * (next.dx * next.dx + next.dy * next.dy));
+    return sine > smallest_turn * std::sqrt((before.dx * before.dx + before.dy * before.dy) *
+                                            (next.dx * next.dx + next.dy * next.dy));
   }
 
   // Compares the ways from a place of halfedge k, which has the distance d, with the windows of the two other edges.
@@ -279,15 +291,16 @@ private:
     const int next = (k + 1) % 3, prev = (k + 2) % 3;
     const double infinity = std::numeric_limits<double>::infinity();
     Certified_distance f(Number(place), Number(), d, false);
-    if(! m_mesh.is_canonical(3 * face + k))
+    if(!m_mesh.is_canonical(3 * face + k))
       f.reverse(shape.length(k));
-    if(! shape.is_point(next))
+    if(!shape.is_point(next))
       compare(face, next, shape, moved_to_target(f, shape.length(k), shape.to_next(k)), true, 0, infinity);
-    if(! shape.is_point(prev))
+    if(!shape.is_point(prev))
       compare(face, prev, shape, turned(f, shape.to_apex(k)), false, 0, infinity);
   }
 
-  // A distance on the line y = 0 whose source is on the side of negative y, on the line in direction u through the origin.
+  // A distance on the line y = 0 whose source is on the side of negative y, on the line in direction u through the
+  // origin.
   static Certified_distance turned(const Certified_distance& f, const Certified_face::Place& u)
   {
     if(f.is_linear)
@@ -305,7 +318,8 @@ private:
   }
 
   // Compares the windows of halfedge k with f on [from, to], measured from its source or its target.
-  void compare(int face, int k, const Certified_face& shape, Certified_distance f, bool from_source, double from, double to)
+  void compare(int face, int k, const Certified_face& shape, Certified_distance f, bool from_source, double from,
+               double to)
   {
     const Edge_distance& edge = m_edges[k];
     const double end = edge.length * (1 + rounding());
@@ -353,8 +367,10 @@ private:
   {
     if(edge.pieces.empty())
       return 0;
-    const Number at_source = Certified_distance(edge.pieces.front())(Number(0)), at_target = Certified_distance(edge.pieces.back())(length);
-    return (std::max)({ 0., (Number(edge.at_source) - at_source).upper(), (Number(edge.at_target) - at_target).upper() });
+    const Number at_source = Certified_distance(edge.pieces.front())(Number(0)),
+                 at_target = Certified_distance(edge.pieces.back())(length);
+    return (std::max)(
+      { 0., (Number(edge.at_source) - at_source).upper(), (Number(edge.at_target) - at_target).upper() });
   }
 
   static double longest(const Certified_face& shape)
@@ -377,7 +393,8 @@ private:
       const double s = Sources::place_on(m_mesh, on, e.from), t = Sources::place_on(m_mesh, on, e.to);
       const bool along = on == 3 * face + k;
       if(e.is_segment)
-        compare(face, k, shape, Certified_distance(Number(), Number(), e.offset, true), along, (std::min)(s, t), (std::max)(s, t));
+        compare(face, k, shape, Certified_distance(Number(), Number(), e.offset, true), along, (std::min)(s, t),
+                (std::max)(s, t));
       else
         compare(face, k, shape, Certified_distance(s, Number(), e.offset, false), along, 0, infinity);
       return;
@@ -387,12 +404,13 @@ private:
       m_slack = infinity;
       return;
     }
-    const Certified_face::Place p = certified_place(m_mesh, face, shape, e.from), q = certified_place(m_mesh, face, shape, e.to);
+    const Certified_face::Place p = certified_place(m_mesh, face, shape, e.from),
+                                q = certified_place(m_mesh, face, shape, e.to);
     for(int k = 0; k < 3; ++k)
     {
       const Certified_face::Place a = in_frame(shape, k, p), b = in_frame(shape, k, q);
       compare(face, k, shape, Certified_distance(a.first, a.second, e.offset, false), true, 0, infinity);
-      if(! e.is_segment)
+      if(!e.is_segment)
         continue;
       compare(face, k, shape, Certified_distance(b.first, b.second, e.offset, false), true, 0, infinity);
       compare_strip(face, k, shape, a, b, e.offset);
@@ -400,7 +418,8 @@ private:
   }
 
   // Compares with the distance from the segment ab where its foot is on the segment.
-  void compare_strip(int face, int k, const Certified_face& shape, const Certified_face::Place& a, const Certified_face::Place& b, double offset)
+  void compare_strip(int face, int k, const Certified_face& shape, const Certified_face::Place& a,
+                     const Certified_face::Place& b, double offset)
   {
     const Number vx = b.first - a.first, vy = b.second - a.second, norm = sqrt(vx * vx + vy * vy);
     // the foot of the place t
@@ -419,7 +438,7 @@ private:
     }
     else if(at_0 < -margin || at_0 > square + margin)
       return;
-    if(! (from <= to))
+    if(!(from <= to))
       return;
     // the distance from the line; the segment is all on one side of the edge
     Certified_distance f(-vy / norm, Number(), (vy * a.first - vx * a.second) / norm, true);

@@ -20,8 +20,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // What the windows need of a number type: arithmetic, comparisons, a square root found by argument
-// dependent lookup, conversion to double, explicit or by `CGAL::to_double()`, and `std::numeric_limits`. CGAL's own functions
-// know double but not the floating point types of Boost.Multiprecision.
+// dependent lookup, conversion to double, explicit or by `CGAL::to_double()`, and `std::numeric_limits`. CGAL's own
+// functions know double but not the floating point types of Boost.Multiprecision.
 
 template <typename FT>
 FT square_root(const FT& x)
@@ -31,19 +31,30 @@ FT square_root(const FT& x)
 }
 
 template <typename FT>
-FT absolute(const FT& x) { return x < FT(0) ? FT(-x) : x; }
+FT absolute(const FT& x)
+{
+  return x < FT(0) ? FT(-x) : x;
+}
 inline double absolute(double x) { return std::fabs(x); }
 
 template <typename FT>
-std::enable_if_t<std::is_constructible<double, const FT&>::value, double> as_double(const FT& x) { return static_cast<double>(x); }
+std::enable_if_t<std::is_constructible<double, const FT&>::value, double> as_double(const FT& x)
+{
+  return static_cast<double>(x);
+}
 template <typename FT>
-std::enable_if_t<! std::is_constructible<double, const FT&>::value, double> as_double(const FT& x) { return CGAL::to_double(x); }
+std::enable_if_t<!std::is_constructible<double, const FT&>::value, double> as_double(const FT& x)
+{
+  return CGAL::to_double(x);
+}
 
 // A tolerance that is 10^-d for double, as much smaller for a type of more digits, and zero for an exact type.
 template <typename FT>
 double tolerance_of_digits(double d)
 {
-  return std::numeric_limits<FT>::digits10 == 0 ? 0. : std::pow(10., -d * std::numeric_limits<FT>::digits10 / std::numeric_limits<double>::digits10);
+  return std::numeric_limits<FT>::digits10 == 0
+           ? 0.
+           : std::pow(10., -d * std::numeric_limits<FT>::digits10 / std::numeric_limits<double>::digits10);
 }
 
 } // namespace internal

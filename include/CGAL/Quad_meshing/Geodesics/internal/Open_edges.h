@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Edges that windows pass without being listed there: those between the faces of a group. Groups are about as wide as long, so that few edges
-// are left between them.
+// Edges that windows pass without being listed there: those between the faces of a group. Groups are about as wide as
+// long, so that few edges are left between them.
 template <typename FT>
 class Open_edges
 {
@@ -63,13 +63,17 @@ public:
   }
 
 private:
-  // Groups grow one after the other, face by face: first come faces with two neighbours in the group, then those that have waited longest beside
-  // it, which makes discs. What remains between groups too small for one is joined to a neighbour.
+  // Groups grow one after the other, face by face: first come faces with two neighbours in the group, then those that
+  // have waited longest beside it, which makes discs. What remains between groups too small for one is joined to a
+  // neighbour.
   class Groups
   {
   public:
     Groups(const Mesh& mesh, int faces_of_group)
-      : m_mesh(mesh), m_faces_of_group(faces_of_group), m_group(mesh.number_of_faces(), none()), m_candidate_of(mesh.number_of_faces(), -1)
+      : m_mesh(mesh)
+      , m_faces_of_group(faces_of_group)
+      , m_group(mesh.number_of_faces(), none())
+      , m_candidate_of(mesh.number_of_faces(), -1)
     {
       for(int f = 0; f < mesh.number_of_faces(); ++f)
         examine(f);
@@ -90,15 +94,16 @@ private:
   private:
     static int none() { return -1; }
 
-    // Flat faces stay alone: their corners are not unfolded far from their frame. Paths from a vertex that lies on the opposite edge
-    // pass it at once: so faces beside one of no area stay alone too, and windows from vertices enter groups at their edges or begin in them.
+    // Flat faces stay alone: their corners are not unfolded far from their frame. Paths from a vertex that lies on the
+    // opposite edge pass it at once: so faces beside one of no area stay alone too, and windows from vertices enter
+    // groups at their edges or begin in them.
     void examine(int f)
     {
-      if(! m_mesh.shape[f].is_flat)
+      if(!m_mesh.shape[f].is_flat)
         return;
       m_group[f] = alone();
       for(int g = 3 * f; g < 3 * f + 3; ++g)
-        if(! m_mesh.shape[f].has_area && m_mesh.opposite[g] != -1)
+        if(!m_mesh.shape[f].has_area && m_mesh.opposite[g] != -1)
           m_group[Mesh::face(m_mesh.opposite[g])] = alone();
     }
 
@@ -184,14 +189,14 @@ private:
 
     const Mesh& m_mesh;
     std::size_t m_faces_of_group;
-    std::vector<int> m_group;                     // per face
-    std::vector<int> m_candidate_of;              // per face: the last group beside which it was found
-    std::vector<std::size_t> m_sizes;             // per group
+    std::vector<int> m_group;         // per face
+    std::vector<int> m_candidate_of;  // per face: the last group beside which it was found
+    std::vector<std::size_t> m_sizes; // per group
     std::vector<int> m_members, m_candidates, m_notches, m_neighbours;
   };
 
-  std::vector<int> m_behind;      // per halfedge
-  std::vector<int> m_group;       // per face
+  std::vector<int> m_behind; // per halfedge
+  std::vector<int> m_group;  // per face
 };
 
 } // namespace internal

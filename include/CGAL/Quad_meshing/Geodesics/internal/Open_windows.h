@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The windows on the open edges of a mesh, group by group when one asks for them. Any number of threads may ask at a time: should two
-// make the same group, they make the same windows, and those of one of them stay.
+// The windows on the open edges of a mesh, group by group when one asks for them. Any number of threads may ask at a
+// time: should two make the same group, they make the same windows, and those of one of them stay.
 template <typename FT>
 class Open_windows
 {
@@ -34,7 +34,8 @@ public:
 
   Open_windows(const Wavefront<FT>& front, const Field_sources<FT>& sources, double allowed_error)
     : m_front(front), m_sources(sources), m_allowed_error(allowed_error), m_groups(front.mesh().number_of_faces())
-  {}
+  {
+  }
 
   Open_windows(const Open_windows&) = delete;
   Open_windows& operator=(const Open_windows&) = delete;
@@ -69,7 +70,8 @@ public:
       for(int g : m_front.open_edges().group(f))
         is_counted[g] = true;
       const Group* const group = m_groups[f].load(std::memory_order_acquire);
-      n += group != nullptr ? group->number_of_windows() : Group(m_front, m_sources, m_allowed_error, f).number_of_windows();
+      n += group != nullptr ? group->number_of_windows()
+                            : Group(m_front, m_sources, m_allowed_error, f).number_of_windows();
     }
     return n;
   }
@@ -90,7 +92,7 @@ private:
   const Wavefront<FT>& m_front;
   const Field_sources<FT>& m_sources;
   double m_allowed_error;
-  mutable std::vector<std::atomic<const Group*> > m_groups;      // per face, that of the first face of a group owns it
+  mutable std::vector<std::atomic<const Group*>> m_groups; // per face, that of the first face of a group owns it
 };
 
 } // namespace internal

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Sums up what all faces violate that a path of a given length to a given point may meet: those for which the distance of the field
-// and the straight line to the point are together no longer than the path.
+// Sums up what all faces violate that a path of a given length to a given point may meet: those for which the distance
+// of the field and the straight line to the point are together no longer than the path.
 class Slack_tree
 {
 public:
@@ -37,25 +37,27 @@ public:
     Bbox_3 box;
   };
 
-  explicit Slack_tree(std::vector<Finding> findings)
-    : m_findings(std::move(findings))
+  explicit Slack_tree(std::vector<Finding> findings) : m_findings(std::move(findings))
   {
-    if(! m_findings.empty())
+    if(!m_findings.empty())
       make(0, m_findings.size());
   }
 
   double all() const { return m_nodes.empty() ? 0. : m_nodes[0].slack; }
 
   // An upper bound of the sum for paths of at most that length to p.
-  double sum(const Point_3& p, double length) const { return m_nodes.empty() ? 0. : sum(0, 0, m_findings.size(), p, length); }
+  double sum(const Point_3& p, double length) const
+  {
+    return m_nodes.empty() ? 0. : sum(0, 0, m_findings.size(), p, length);
+  }
 
 private:
   struct Node
   {
-    double nearest, slack;       // the smallest one, and the sum of all
+    double nearest, slack; // the smallest one, and the sum of all
     Bbox_3 box;
     double diameter;
-    int right;                   // the left child is the next node
+    int right; // the left child is the next node
   };
 
   static std::size_t leaf_size() { return 8; }
@@ -90,8 +92,9 @@ private:
           axis = k;
       const std::size_t middle = middle_of(begin, end);
       const auto first = m_findings.begin();
-      std::nth_element(first + begin, first + middle, first + end, [&](const Finding& a, const Finding& b)
-      { return a.box.min(axis) + a.box.max(axis) < b.box.min(axis) + b.box.max(axis); });
+      std::nth_element(first + begin, first + middle, first + end,
+                       [&](const Finding& a, const Finding& b)
+                       { return a.box.min(axis) + a.box.max(axis) < b.box.min(axis) + b.box.max(axis); });
       make(begin, middle);
       const int right = make(middle, end);
       m_nodes[n].right = right;
@@ -112,7 +115,7 @@ private:
     {
       double s = 0;
       for(std::size_t i = begin; i < end; ++i)
-        if(! is_beyond(m_findings[i].nearest, m_findings[i].box, p, length))
+        if(!is_beyond(m_findings[i].nearest, m_findings[i].box, p, length))
           s = added(s, m_findings[i].slack);
       return s;
     }
@@ -126,7 +129,8 @@ private:
     const double rest = length + margin() * std::fabs(length) - nearest;
     if(rest < 0)
       return true;
-    const double x = outside(p.x(), box.xmin(), box.xmax()), y = outside(p.y(), box.ymin(), box.ymax()), z = outside(p.z(), box.zmin(), box.zmax());
+    const double x = outside(p.x(), box.xmin(), box.xmax()), y = outside(p.y(), box.ymin(), box.ymax()),
+                 z = outside(p.z(), box.zmin(), box.zmax());
     return (x * x + y * y + z * z) * (1 - 2 * margin()) > rest * rest;
   }
 

@@ -38,14 +38,15 @@ public:
 
   Source_departure(Front& front, Face_crossing<Front>& cross, Vertex_departure<Front>& departure)
     : m_front(front), m_cross(cross), m_departure(departure), m_mesh(front.mesh())
-  {}
+  {
+  }
 
   // The i-th element.
   void operator()(const Sources& sources, int i)
   {
     const Element& e = sources.elements()[i];
     const int origin = ~i;
-    if(! e.is_segment)
+    if(!e.is_segment)
     {
       if(e.from.carrier == Point::VERTEX)
         m_front.reach(e.from.simplex, e.offset, origin, 0.f, [] { return 0.; });
@@ -72,7 +73,8 @@ private:
   {
     const FT length = m_mesh.length_of(h);
     m_front.reach(m_mesh.source(h), offset + t, origin, 0.f, [&] { return m_mesh.direction[h]; });
-    m_front.reach(m_mesh.target(h), offset + (length - t), origin, 0.f, [&] { return m_departure.angle_of_reverse(h); });
+    m_front.reach(m_mesh.target(h), offset + (length - t), origin, 0.f,
+                  [&] { return m_departure.angle_of_reverse(h); });
     m_front.store(h, W{ FT(0), length, t, FT(0), offset, origin, false, true, false, 0.f });
     m_departure.leave_point(h, t, offset, origin, 0.f);
     if(m_mesh.opposite[h] != -1)
@@ -121,7 +123,7 @@ private:
         if(-ua >= FT(0) && -ua <= norm && -na >= FT(0))
           m_front.reach(m_mesh.source(h), offset - na, origin, 0.f,
                         [&] { return m_mesh.direction[h] + std::atan2(as_double(FT(-ny)), as_double(FT(-nx))); });
-        if(! (ny < FT(0)))
+        if(!(ny < FT(0)))
           continue;
         const FT slack = FT(Tol::place()) * length;
         FT t0(0), t1 = length;
@@ -141,8 +143,13 @@ private:
     if(a == FT(0))
       return b >= -slack;
     const FT t = -(b + slack) / a;
-    if(a > FT(0)) { if(t0 < t) t0 = t; }
-    else if(t < t1) t1 = t;
+    if(a > FT(0))
+    {
+      if(t0 < t)
+        t0 = t;
+    }
+    else if(t < t1)
+      t1 = t;
     return t0 < t1;
   }
 

@@ -18,12 +18,15 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A sum of angles of vectors, each from 0 to pi, that is compared with multiples of pi. The vectors are multiplied as complex numbers, and
-// half turns are counted, so that no angle is computed.
+// A sum of angles of vectors, each from 0 to pi, that is compared with multiples of pi. The vectors are multiplied as
+// complex numbers, and half turns are counted, so that no angle is computed.
 class Turning_angle
 {
 public:
-  struct Vector { double x, y; };
+  struct Vector
+  {
+    double x, y;
+  };
 
   void add(double x, double y)
   {
@@ -37,10 +40,11 @@ public:
     ++m_terms;
   }
 
-  // Whether the sum is more than n pi and the angle of (1, slack). If rounding leaves a doubt, `otherwise()` says it. No vector may be zero.
+  // Whether the sum is more than n pi and the angle of (1, slack). If rounding leaves a doubt, `otherwise()` says it.
+  // No vector may be zero.
   //
-  // A term adds at most 5 u to the error of the angle: the square root of 5 for the product, 2 for the scaled vector. Where rounding gets the number of
-  // half turns wrong, the angle of what is left is wrong by pi, and the sum is right.
+  // A term adds at most 5 u to the error of the angle: the square root of 5 for the product, 2 for the scaled vector.
+  // Where rounding gets the number of half turns wrong, the angle of what is left is wrong by pi, and the sum is right.
   template <typename Otherwise>
   bool exceeds(int n, double slack, const Otherwise& otherwise) const
   {
@@ -48,7 +52,7 @@ public:
       return m_half_turns > n;
     // the sum is n pi plus the angle of (x, y), which is between -pi and pi
     const double x = m_half_turns == n ? m_x : -m_x, y = m_half_turns == n ? m_y : -m_y;
-    if(! (x > 0))
+    if(!(x > 0))
       return m_half_turns == n;
     const double difference = y - slack * x, error = 5 * (m_terms + 1) * unit() * (x + std::fabs(y));
     return std::fabs(difference) > error ? difference > 0 : otherwise();
@@ -70,8 +74,8 @@ public:
       y = is_turned ? Q(-next_y) : next_y;
     }
     if(half_turns == n - 1 && x < 0)
-      return -y > -Q(slack) * x;          // a negative slack
-    return half_turns > n || (half_turns == n && (! (x > 0) || y > Q(slack) * x));
+      return -y > -Q(slack) * x; // a negative slack
+    return half_turns > n || (half_turns == n && (!(x > 0) || y > Q(slack) * x));
   }
 
 private:

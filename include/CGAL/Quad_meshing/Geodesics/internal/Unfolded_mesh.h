@@ -27,9 +27,9 @@ namespace internal {
 // How a shortest path may pass a vertex.
 enum Vertex_passage : unsigned char
 {
-  PASSAGE_NEVER,         // angle below 2 pi (pi on the border): no shortest path bends here
-  PASSAGE_IN_SHADOW,     // a saddle or a reflex border vertex: paths bend into the part without straight continuation
-  PASSAGE_EVERYWHERE     // unclear from the angles (an edge of length zero ends here): assume all directions
+  PASSAGE_NEVER,     // angle below 2 pi (pi on the border): no shortest path bends here
+  PASSAGE_IN_SHADOW, // a saddle or a reflex border vertex: paths bend into the part without straight continuation
+  PASSAGE_EVERYWHERE // unclear from the angles (an edge of length zero ends here): assume all directions
 };
 
 // The intrinsic geometry of a triangle mesh: what is needed to unfold one triangle after the other
@@ -42,14 +42,13 @@ enum Vertex_passage : unsigned char
 //
 // Directions at a vertex are angles counterclockwise from its first halfedge `halfedge_of_vertex`.
 template <typename FT>
-struct Unfolded_mesh
-  : Indexed_triangle_mesh
+struct Unfolded_mesh : Indexed_triangle_mesh
 {
   struct Apex
   {
     FT x, y;
-    FT back;      // x minus the length of h, with all its digits even if r lies very close to q
-    FT length;    // of h
+    FT back;   // x minus the length of h, with all its digits even if r lies very close to q
+    FT length; // of h
   };
 
   // A total angle that exceeds 2 pi (or pi on the border) by no more than this, or its arc tangent, does not make a
@@ -59,26 +58,26 @@ struct Unfolded_mesh
 
   struct Shape
   {
-    bool is_flat;           // see `flatness()`
+    bool is_flat; // see `flatness()`
     bool has_area;
   };
 
   // The height over the longest side of a face, as part of that side, up to which it is flat.
   static FT flatness() { return FT(1e-3); }
 
-  std::vector<Apex> apex;                 // per halfedge
-  std::vector<Shape> shape;               // per face
-  std::vector<FT> length;                 // per edge
-  std::vector<double> direction;          // per halfedge: its angle at its source; 0 where nobody asks, at vertices with no shadow
-  std::vector<double> total_angle;        // per vertex; 0 likewise
-  std::vector<Vertex_passage> passage;    // per vertex
+  std::vector<Apex> apex;   // per halfedge
+  std::vector<Shape> shape; // per face
+  std::vector<FT> length;   // per edge
+  std::vector<double>
+    direction; // per halfedge: its angle at its source; 0 where nobody asks, at vertices with no shadow
+  std::vector<double> total_angle;     // per vertex; 0 likewise
+  std::vector<Vertex_passage> passage; // per vertex
 
   Unfolded_mesh() {}
 
   // Angles are of type double always. With a number type of more digits, a vertex whose angle leaves a
   // doubt is taken to bend paths in every direction, which costs windows but no precision.
-  explicit Unfolded_mesh(Indexed_triangle_mesh base)
-    : Indexed_triangle_mesh(std::move(base))
+  explicit Unfolded_mesh(Indexed_triangle_mesh base) : Indexed_triangle_mesh(std::move(base))
   {
     for(int h = 0; h < number_of_halfedges(); ++h)
       if(is_canonical(h))
@@ -93,7 +92,7 @@ struct Unfolded_mesh
     set_passages(angles, has_zero_edge);
   }
 
-  bool is_canonical(int h) const { return opposite[h] < h; }     // also on the border, where opposite[h] is -1
+  bool is_canonical(int h) const { return opposite[h] < h; } // also on the border, where opposite[h] is -1
 
   const FT& length_of(int h) const { return apex[h].length; }
 
@@ -104,7 +103,9 @@ private:
   {
     FT x, y, z;
     Difference(const Point_3& p, const Point_3& q)
-      : x(FT(q.x()) - FT(p.x())), y(FT(q.y()) - FT(p.y())), z(FT(q.z()) - FT(p.z())) {}
+      : x(FT(q.x()) - FT(p.x())), y(FT(q.y()) - FT(p.y())), z(FT(q.z()) - FT(p.z()))
+    {
+    }
     Difference(const FT& x, const FT& y, const FT& z) : x(x), y(y), z(z) {}
 
     FT dot(const Difference& o) const { return x * o.x + y * o.y + z * o.z; }
@@ -126,12 +127,13 @@ private:
     const int longer = square[0] < square[1], longest = square[longer] < square[2] ? 2 : longer;
     // the two shorter sides keep the digits of the area
     const FT area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
-    shape.push_back(Shape{ ! (area > flatness() * square[longest]), FT(0) < area });
+    shape.push_back(Shape{ !(area > flatness() * square[longest]), FT(0) < area });
     for(int k = 0; k < 3; ++k)
     {
       const FT l = square_root(square[k]);
       length[edge_of[3 * f + k]] = l;
-      const Apex a = l == FT(0) ? Apex{ FT(0), FT(0), FT(0), FT(0) } : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l), l };
+      const Apex a = l == FT(0) ? Apex{ FT(0), FT(0), FT(0), FT(0) }
+                                : Apex{ FT(-dot[(k + 2) % 3] / l), FT(area / l), FT(dot[k] / l), l };
       apex.push_back(a);
       angles[corners[f][k]].add(as_double(a.x), as_double(a.y));
       if(l == FT(0))
@@ -159,9 +161,10 @@ private:
   Vertex_passage passage_around(int first, const Turning_angle& sum) const
   {
     const int straight = opposite[first] == -1 ? 1 : 2;
-    if(! std::is_same<FT, double>::value)
+    if(!std::is_same<FT, double>::value)
       return sum.exceeds(straight, -doubtful_angle(), [&] { return true; }) ? PASSAGE_EVERYWHERE : PASSAGE_NEVER;
-    return sum.exceeds(straight, flat_angle_tolerance(), [&] { return is_saddle(first, straight); }) ? PASSAGE_IN_SHADOW : PASSAGE_NEVER;
+    return sum.exceeds(straight, flat_angle_tolerance(), [&] { return is_saddle(first, straight); }) ? PASSAGE_IN_SHADOW
+                                                                                                     : PASSAGE_NEVER;
   }
 
   // The same, exactly.

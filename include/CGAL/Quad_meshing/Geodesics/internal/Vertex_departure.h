@@ -29,9 +29,7 @@ public:
   typedef Unfolded_mesh<FT> Mesh;
   typedef Window<FT> W;
 
-  Vertex_departure(Front& front, Face_crossing<Front>& cross)
-    : m_front(front), m_cross(cross), m_mesh(front.mesh())
-  {}
+  Vertex_departure(Front& front, Face_crossing<Front>& cross) : m_front(front), m_cross(cross), m_mesh(front.mesh()) {}
 
   // Goes on from a vertex: along its edges always, which lets no vertex unreached whatever rounding
   // does, and into its faces where paths may bend.
@@ -44,10 +42,12 @@ public:
     int h = first;
     do
     {
-      m_front.reach(m_mesh.target(h), label.distance + m_mesh.length_of(h), v, label.error, [&] { return angle_of_reverse(h); });
+      m_front.reach(m_mesh.target(h), label.distance + m_mesh.length_of(h), v, label.error,
+                    [&] { return angle_of_reverse(h); });
       const int p = Mesh::prev(h);
       if(m_mesh.opposite[p] == -1)
-        m_front.reach(m_mesh.source(p), label.distance + m_mesh.length_of(p), v, label.error, [&] { return m_mesh.direction[p]; });
+        m_front.reach(m_mesh.source(p), label.distance + m_mesh.length_of(p), v, label.error,
+                      [&] { return m_mesh.direction[p]; });
       h = m_mesh.next_around_source(h);
     }
     while(h != -1 && h != first);
@@ -72,8 +72,9 @@ public:
       h = Mesh::next(h);
       const FT length = m_mesh.length_of(h);
       if(k == 0)
-        m_front.reach(m_mesh.target(h), sigma + square_root((x - length) * (x - length) + y * y), origin, error, [&]
-        {
+        m_front.reach(m_mesh.target(h), sigma + square_root((x - length) * (x - length) + y * y), origin, error,
+                      [&]
+                      {
           return m_mesh.direction[Mesh::next(h)] + m_mesh.corner_angle(Mesh::next(h)) -
                  std::atan2(as_double(y), as_double(FT(length - x)));
         });
@@ -123,7 +124,7 @@ private:
   // Sends rays from v in the directions between the two angles.
   void leave_into_faces(int v, double from, double to)
   {
-    if(! (from < to))
+    if(!(from < to))
       return;
     const int first = m_mesh.halfedge_of_vertex[v];
     int h = first;
@@ -140,7 +141,7 @@ private:
   {
     const bool whole = to == everywhere();
     const double begin = m_mesh.direction[h], end = whole ? 0. : end_of_corner(h, v);
-    if(! whole && ! (from < to && begin < to && from < end))
+    if(!whole && !(from < to && begin < to && from < end))
       return;
     const FT d = m_front.label(v).distance;
     const float error = m_front.label(v).error;
@@ -153,8 +154,8 @@ private:
         leave_point(m_mesh.opposite[n], FT(length - a.x), d, v, error);
       return;
     }
-    const FT b0 = ! whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
-    const FT b1 = ! whole && to < end ? (std::min)(length, hit(a, to - begin)) : length;
+    const FT b0 = !whole && from > begin ? (std::max)(FT(0), hit(a, from - begin)) : FT(0);
+    const FT b1 = !whole && to < end ? (std::min)(length, hit(a, to - begin)) : length;
     if(b0 < b1)
       m_cross.arrive(n, W{ b0, b1, a.x, a.y, d, v, false, true, true, error });
   }

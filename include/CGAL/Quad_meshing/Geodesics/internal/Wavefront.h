@@ -32,10 +32,10 @@ template <typename FT>
 struct Vertex_label
 {
   FT distance;
-  double angle;            // the direction of arrival, see Unfolded_mesh::direction; only where Unfolded_mesh::passage asks for it
-  float error;             // see Window::error
-  int origin : 31;         // the pseudo-source that reaches the vertex, see Window::origin
-  bool is_passed : 1;      // whether the front has passed it
+  double angle; // the direction of arrival, see Unfolded_mesh::direction; only where Unfolded_mesh::passage asks for it
+  float error;  // see Window::error
+  int origin : 31;    // the pseudo-source that reaches the vertex, see Window::origin
+  bool is_passed : 1; // whether the front has passed it
 };
 
 // What the front knows: the windows of the edges, the labels of the vertices and the queue of what is still to
@@ -49,18 +49,19 @@ public:
   typedef Window<FT> W;
   typedef Window_list<FT> List;
 
-  static constexpr bool asks_at_open_edges = false;      // see Face_crossing
+  static constexpr bool asks_at_open_edges = false; // see Face_crossing
 
   static FT unreached() { return FT(1e300); }
 
   Wavefront(const Mesh& mesh, bool keep_windows, int faces_of_group)
-    : m_mesh(mesh),
-      m_keep_windows(keep_windows),
-      m_open_edges(mesh, faces_of_group),
-      m_lists(mesh.number_of_edges()),
-      m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0.f, 0, false }),
-      m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))
-  {}
+    : m_mesh(mesh)
+    , m_keep_windows(keep_windows)
+    , m_open_edges(mesh, faces_of_group)
+    , m_lists(mesh.number_of_edges())
+    , m_labels(mesh.number_of_vertices(), Vertex_label<FT>{ unreached(), 0., 0.f, 0, false })
+    , m_queue(mesh.number_of_edges(), mesh.number_of_vertices(), step_length(mesh))
+  {
+  }
 
   const Mesh& mesh() const { return m_mesh; }
   bool keeps_windows() const { return m_keep_windows; }
@@ -80,7 +81,7 @@ public:
   void reach(int v, const FT& d, int origin, float error, const Angle& angle)
   {
     Vertex_label<FT>& label = m_labels[v];
-    if(! Window_predicates<FT>::is_shorter(d, label.distance))
+    if(!Window_predicates<FT>::is_shorter(d, label.distance))
       return;
     label.distance = d;
     label.origin = origin;
@@ -92,28 +93,35 @@ public:
 
   struct Landing : Window_landing<FT>
   {
-    bool is_due;                 // in this step already
-    FT nearest;                  // the smallest distance of what has arrived, if the edge is not due
+    bool is_due; // in this step already
+    FT nearest;  // the smallest distance of what has arrived, if the edge is not due
 
-    Landing(const Window_landing<FT>& base, bool is_due) : Window_landing<FT>(base), is_due(is_due), nearest(unreached()) {}
+    Landing(const Window_landing<FT>& base, bool is_due)
+      : Window_landing<FT>(base), is_due(is_due), nearest(unreached())
+    {
+    }
   };
 
   Landing landing(int h) const
   {
     const int e = m_mesh.edge_of[h];
-    const FT &length = m_mesh.length_of(h), &at_source = m_labels[m_mesh.source(h)].distance, &at_target = m_labels[m_mesh.target(h)].distance;
-    return Landing(Window_landing<FT>{ e, m_mesh.is_canonical(h), latest(at_source, at_target, length) <= m_queue.front(), length, at_source, at_target,
-                                       m_lists[e].size }, m_queue.is_due(e));
+    const FT &length = m_mesh.length_of(h), &at_source = m_labels[m_mesh.source(h)].distance,
+             &at_target = m_labels[m_mesh.target(h)].distance;
+    return Landing(
+      Window_landing<FT>{ e, m_mesh.is_canonical(h), latest(at_source, at_target, length) <= m_queue.front(), length,
+                          at_source, at_target, m_lists[e].size },
+      m_queue.is_due(e));
   }
 
   // Receives a window that comes through the face of the halfedge, in the frame of the halfedge.
   BOOST_FORCEINLINE void arrive(Landing& at, W w)
   {
-    if(! at.admits(w))
+    if(!at.admits(w))
       return;
     const auto inserted = m_envelope.insert(m_lists, m_lists[at.edge], at.hint, w, at.length);
-    if(inserted != Window_envelope<FT>::NOTHING && ! at.is_due)
-      at.nearest = (std::min)(at.nearest, inserted == Window_envelope<FT>::ALL ? w.minimum() : m_envelope.nearest_part());
+    if(inserted != Window_envelope<FT>::NOTHING && !at.is_due)
+      at.nearest =
+        (std::min)(at.nearest, inserted == Window_envelope<FT>::ALL ? w.minimum() : m_envelope.nearest_part());
   }
 
   // To be called when all have arrived.
@@ -141,7 +149,7 @@ public:
     if(behind(h) != -1)
       return;
     const int e = m_mesh.edge_of[h];
-    if(! m_mesh.is_canonical(h))
+    if(!m_mesh.is_canonical(h))
       w.reverse(m_mesh.length[e]);
     int hint = 0;
     m_envelope.insert(m_lists, m_lists[e], hint, w, m_mesh.length[e]);
@@ -162,21 +170,24 @@ public:
   }
 
 private:
-  static double latest(const FT& at_source, const FT& at_target, const FT& length) { return as_double(FT((at_source + at_target + length) / FT(2))); }
+  static double latest(const FT& at_source, const FT& at_target, const FT& length)
+  {
+    return as_double(FT((at_source + at_target + length) / FT(2)));
+  }
 
   static double step_length(const Mesh& mesh)
   {
     double sum = 0;
     for(const FT& l : mesh.length)
       sum += as_double(l);
-    return mesh.length.empty() || ! (sum > 0) ? 1. : sum / static_cast<double>(mesh.length.size());
+    return mesh.length.empty() || !(sum > 0) ? 1. : sum / static_cast<double>(mesh.length.size());
   }
 
   const Mesh& m_mesh;
   bool m_keep_windows;
   Open_edges<FT> m_open_edges;
   Window_lists<FT> m_lists;
-  std::vector<Vertex_label<FT> > m_labels;
+  std::vector<Vertex_label<FT>> m_labels;
   Front_queue m_queue;
   Window_envelope<FT> m_envelope;
 };

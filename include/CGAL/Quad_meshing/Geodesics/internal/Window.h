@@ -9,7 +9,6 @@
 #ifndef CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H
 #define CGAL_QUAD_MESHING_GEODESICS_INTERNAL_WINDOW_H
 
-
 #include <CGAL/Quad_meshing/Geodesics/internal/Number_functions.h>
 
 #include <algorithm>
@@ -26,25 +25,49 @@ template <typename FT>
 struct Window_tolerances
 {
   // Window ends this close to each other (or to a vertex) are the same place; narrower windows are dropped: 1e-11.
-  static FT place() { static const FT t(tolerance_of_digits<FT>(11)); return t; }
+  static FT place()
+  {
+    static const FT t(tolerance_of_digits<FT>(11));
+    return t;
+  }
 
   // A gap between a window and its neighbour on the edge (or a vertex) is closed if its width, measured
   // across the rays, is up to this part of the edge or of the distance to the source: then it comes from
   // rounding. Rays that graze the edge make the gap wider along the edge; it never may exceed `wide_gap`: 1e-12, 1e-4.
-  // A wider gap is the shadow of a saddle, however shallow, and must stay open for the window that comes from there: it grows
-  // on the way.
-  static FT gap() { static const FT t(tolerance_of_digits<FT>(12)); return t; }
-  static FT wide_gap() { static const FT t(tolerance_of_digits<FT>(4)); return t; }
+  // A wider gap is the shadow of a saddle, however shallow, and must stay open for the window that comes from there: it
+  // grows on the way.
+  static FT gap()
+  {
+    static const FT t(tolerance_of_digits<FT>(12));
+    return t;
+  }
+  static FT wide_gap()
+  {
+    static const FT t(tolerance_of_digits<FT>(4));
+    return t;
+  }
 
   // Two distances that differ by less are equal, and the window that was there first stays: 1e-14.
-  static FT tie() { static const FT t(tolerance_of_digits<FT>(14)); return t; }
+  static FT tie()
+  {
+    static const FT t(tolerance_of_digits<FT>(14));
+    return t;
+  }
 
   // Neighbouring windows whose sources lie this close together (relative to their distance) are one window: 1e-13.
-  static FT source() { static const FT t(tolerance_of_digits<FT>(13)); return t; }
+  static FT source()
+  {
+    static const FT t(tolerance_of_digits<FT>(13));
+    return t;
+  }
 
   // Windows are filtered out by way of vertices only if they are longer by more than this, so that a
   // vertex whose distance is a rounding error too small does no harm: 1e-9.
-  static FT filter() { static const FT t(tolerance_of_digits<FT>(9)); return t; }
+  static FT filter()
+  {
+    static const FT t(tolerance_of_digits<FT>(9));
+    return t;
+  }
 };
 
 template <>
@@ -73,11 +96,11 @@ struct Window
   FT b0, b1;
   FT x, y;
   FT sigma;
-  int origin : 29;       // the pseudo-source: a vertex if >= 0, the source element ~origin otherwise
+  int origin : 29; // the pseudo-source: a vertex if >= 0, the source element ~origin otherwise
   bool linear : 1;
   bool from_left : 1;
-  bool pending : 1;      // not propagated yet
-  float error;           // a bound of the error of the distance, 0 unless windows were merged
+  bool pending : 1; // not propagated yet
+  float error;      // a bound of the error of the distance, 0 unless windows were merged
 
   FT distance(const FT& t) const
   {
@@ -97,14 +120,17 @@ struct Window
   }
 
   // Where the ray to the point (px, py) before the edge crosses it.
-  FT place_of_ray(const FT& px, const FT& py) const { return linear ? FT(px - py * x / y) : FT(x + (px - x) * y / (py + y)); }
+  FT place_of_ray(const FT& px, const FT& py) const
+  {
+    return linear ? FT(px - py * x / y) : FT(x + (px - x) * y / (py + y));
+  }
 
   // How wide a gap at the end b of the window may be to be closed, see Window_tolerances.
   FT largest_gap(const FT& b, const FT& length) const
   {
     typedef Window_tolerances<FT> Tol;
     const FT widest = FT(Tol::wide_gap()) * length;
-    if(! (y > FT(0)))
+    if(!(y > FT(0)))
       return widest;
     const FT r = linear ? FT(1) : FT(absolute(b - x) + y), across = linear ? length : FT(length + r);
     return (std::min)(widest, FT(r * FT(Tol::gap()) * across / y));
@@ -131,7 +157,7 @@ struct Window
     }
     else
       x = length - x;
-    from_left = ! from_left;
+    from_left = !from_left;
   }
 };
 
@@ -149,8 +175,8 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
     return z[0] > FT(0) && z[0] < width ? 1 : 0;
   }
 
-  FT a, half_b, c;                    // a z^2 + 2 half_b z + c = 0
-  FT side0, side1;                    // a root counts if side1 z + side0 >= 0
+  FT a, half_b, c; // a z^2 + 2 half_b z + c = 0
+  FT side0, side1; // a root counts if side1 z + side0 >= 0
   FT discriminant;
   if(v.linear || w.linear)
   {
@@ -163,7 +189,8 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
     c = (p - k) * (p + k) + circle.y * circle.y;
     side0 = k;
     side1 = m;
-    // half_b^2 - a c without its cancellation: windows of a curve meet those of its corners where both distances are zero
+    // half_b^2 - a c without its cancellation: windows of a curve meet those of its corners where both distances are
+    // zero
     const FT at_foot = m * p + k;
     discriminant = at_foot * at_foot - a * circle.y * circle.y;
   }
@@ -190,7 +217,7 @@ int equal_distance_places(const Window<FT>& v, const Window<FT>& w, const FT& l,
     discriminant = half_b * half_b - a * c;
   }
 
-  if(! (discriminant > FT(0)))
+  if(!(discriminant > FT(0)))
     return 0;
   const FT root = square_root(discriminant);
   const FT q = half_b > FT(0) ? FT(-half_b - root) : FT(-half_b + root);

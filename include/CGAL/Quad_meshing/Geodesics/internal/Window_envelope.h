@@ -38,9 +38,9 @@ public:
 
   enum Insertion
   {
-    NOTHING,     // w is nowhere nearer
-    ALL,         // all of w is in the list, its ends perhaps moved a little
-    PARTS        // `nearest_part()` is the smallest distance of the parts that are
+    NOTHING, // w is nowhere nearer
+    ALL,     // all of w is in the list, its ends perhaps moved a little
+    PARTS    // `nearest_part()` is the smallest distance of the parts that are
   };
 
   // Inserts the part of `w` that is nearest. Windows that come in their order along the edge, or against it, are
@@ -60,9 +60,9 @@ public:
     // Move the ends of w to places where something ends already, when they are that close.
     if(i < j && list[i].b0 < w.b0)
     {
-      if(! Predicates::is_wider(list[i].b0, w.b0, place))
+      if(!Predicates::is_wider(list[i].b0, w.b0, place))
         w.b0 = list[i].b0;
-      else if(! Predicates::is_wider(w.b0, list[i].b1, place))
+      else if(!Predicates::is_wider(w.b0, list[i].b1, place))
         w.b0 = list[i++].b1;
     }
     else
@@ -73,9 +73,9 @@ public:
     }
     if(i < j && list[j - 1].b1 > w.b1)
     {
-      if(! Predicates::is_wider(w.b1, list[j - 1].b1, place))
+      if(!Predicates::is_wider(w.b1, list[j - 1].b1, place))
         w.b1 = list[j - 1].b1;
-      else if(! Predicates::is_wider(list[j - 1].b0, w.b1, place))
+      else if(!Predicates::is_wider(list[j - 1].b0, w.b1, place))
         w.b1 = list[--j].b0;
     }
     else
@@ -84,13 +84,13 @@ public:
       if(Predicates::is_closed_gap(w, w.b1, right, w.b1, length))
         w.b1 = right;
     }
-    if(! Predicates::is_wider(w.b0, w.b1, place))
+    if(!Predicates::is_wider(w.b0, w.b1, place))
       return NOTHING;
 
     hint = i;
     if(i < j)
     {
-      if(j - i > 1 || ! meet(list[i], w, place))
+      if(j - i > 1 || !meet(list[i], w, place))
         return insert_overlapping(lists, list, hint, j, w, length);
       if(list[i].b1 <= w.b0)
         ++hint;
@@ -108,8 +108,8 @@ private:
   // A piece of the new list: of the new window, or of one of the old ones.
   struct Piece
   {
-    int old;        // its number among the old ones, -1 for the new one
-    bool is_new;    // contains a part of the new one
+    int old;     // its number among the old ones, -1 for the new one
+    bool is_new; // contains a part of the new one
     FT b0, b1;
   };
 
@@ -118,7 +118,7 @@ private:
   {
     const bool joins_left = i > 0 && can_join(list[i - 1], list[i - 1].b1, w, w.b0);
     const bool joins_right = i < list.size && can_join(w, w.b1, list[i], list[i].b0);
-    if(! joins_left && ! joins_right)
+    if(!joins_left && !joins_right)
     {
       lists.insert(list, i) = w;
       return;
@@ -135,7 +135,7 @@ private:
   static bool meet(W& old, W& w, const FT& place)
   {
     const bool old_is_first = old.b0 < w.b0 && old.b1 < w.b1;
-    if(! old_is_first && ! (w.b0 < old.b0 && w.b1 < old.b1))
+    if(!old_is_first && !(w.b0 < old.b0 && w.b1 < old.b1))
       return false;
     W &first = old_is_first ? old : w, &second = old_is_first ? w : old;
     const FT l = second.b0, r = first.b1;
@@ -145,7 +145,7 @@ private:
        equal_distance_places(first, second, l, FT(r - l), z) != 1)
       return false;
     const FT t = polished(first, second, FT(l + z[0]), l, r);
-    if(! Predicates::is_wider(l, t, place) || ! Predicates::is_wider(t, r, place))
+    if(!Predicates::is_wider(l, t, place) || !Predicates::is_wider(t, r, place))
       return false;
     first.b1 = t;
     second.b0 = t;
@@ -181,7 +181,7 @@ private:
       add(-1, from, w.b1);
       is_nearer = true;
     }
-    if(! is_nearer)
+    if(!is_nearer)
       return NOTHING;
 
     // neighbours may join with the new pieces
@@ -227,7 +227,7 @@ private:
 
   void add(int old, const FT& b0, const FT& b1)
   {
-    if(! m_pieces.empty() && m_pieces.back().old == old && m_pieces.back().b1 == b0)
+    if(!m_pieces.empty() && m_pieces.back().old == old && m_pieces.back().b1 == b0)
       m_pieces.back().b1 = b1;
     else
       m_pieces.push_back(Piece{ old, old == -1, b0, b1 });
@@ -235,16 +235,17 @@ private:
 
   // Divides [l, r] among the new window and an old one. Returns whether any part is for the new one.
   //
-  // The places where they are equally far are found in the number type, with its rounding. Which of them is nearer between these places is decided by
-  // predicates, and the old one stays where they tie.
+  // The places where they are equally far are found in the number type, with its rounding. Which of them is nearer
+  // between these places is decided by predicates, and the old one stays where they tie.
   bool share(const W& w, int k, const FT& l, const FT& r, const FT& place)
   {
-    if(! (l < r))
+    if(!(l < r))
       return false;
     const W& old = m_old[k];
     const FT width = r - l;
     const FT w_l = w.distance(l), w_r = w.distance(r), old_l = old.distance(l), old_r = old.distance(r);
-    const int at_l = Predicates::compare_distances(w, w_l, old, old_l, l), at_r = Predicates::compare_distances(w, w_r, old, old_r, r);
+    const int at_l = Predicates::compare_distances(w, w_l, old, old_l, l),
+              at_r = Predicates::compare_distances(w, w_r, old, old_r, r);
     // The ends of the pieces, without those that would be too narrow.
     FT cut[4] = { l, r, r, r };
     int m = 1, n = 0;
@@ -267,13 +268,14 @@ private:
       cut[m] = r;
     }
     // what is nearer at the ends tells about the pieces
-    const bool is_clear = (m == 1 && at_l * at_r == 1) ||
-                          (m == 2 && n == 1 && at_l * at_r == -1);
+    const bool is_clear = (m == 1 && at_l * at_r == 1) || (m == 2 && n == 1 && at_l * at_r == -1);
     bool any = false;
     for(int c = 0; c < m; ++c)
     {
       const FT t = (cut[c] + cut[c + 1]) / FT(2);
-      const int nearer = ! is_clear ? Predicates::compare_distances(w, w.distance(t), old, old.distance(t), t) : c == 0 ? at_l : at_r;
+      const int nearer = !is_clear ? Predicates::compare_distances(w, w.distance(t), old, old.distance(t), t)
+                         : c == 0  ? at_l
+                                   : at_r;
       add(nearer == -1 ? -1 : k, cut[c], cut[c + 1]);
       any = any || nearer == -1;
     }

@@ -102,7 +102,12 @@ public:
   }
 
 private:
-  enum { first_capacity = 8, smallest_chunk = 256, largest_chunk = 2048 };
+  enum
+  {
+    first_capacity = 8,
+    smallest_chunk = 256,
+    largest_chunk = 2048
+  };
 
   // Blocks have 1 to 16 windows, or 9 to 16 times a power of two.
   static int unit(int n)
@@ -143,7 +148,7 @@ private:
   W* new_block(int capacity)
   {
     const std::size_t c = block_class(capacity), n = static_cast<std::size_t>(capacity);
-    if(c < m_free.size() && ! m_free[c].empty())
+    if(c < m_free.size() && !m_free[c].empty())
     {
       W* const block = m_free[c].back();
       m_free[c].pop_back();
@@ -151,7 +156,8 @@ private:
     }
     if(m_left < n)
     {
-      m_left = (std::max)(n, (std::min)((std::max)(m_total / 8, std::size_t(smallest_chunk)), std::size_t(largest_chunk)));
+      m_left =
+        (std::max)(n, (std::min)((std::max)(m_total / 8, std::size_t(smallest_chunk)), std::size_t(largest_chunk)));
       m_total += m_left;
       m_chunks.emplace_back(new W[m_left]);
       m_next = m_chunks.back().get();
@@ -174,9 +180,9 @@ private:
 
   std::vector<List> m_lists;
   std::size_t m_size = 0;
-  std::vector<std::vector<W*> > m_free;         // per class
-  std::vector<std::unique_ptr<W[]> > m_chunks;
-  W* m_next = nullptr;                          // what is left of the last chunk
+  std::vector<std::vector<W*>> m_free; // per class
+  std::vector<std::unique_ptr<W[]>> m_chunks;
+  W* m_next = nullptr; // what is left of the last chunk
   std::size_t m_left = 0, m_total = 0;
 };
 

@@ -47,7 +47,7 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
   if(l.linear != r.linear || l.from_left != r.from_left || l.b1 != r.b0)
     return false;
   const FT width = r.b1 - l.b0, at_l = l.distance(l.b0), at_r = r.distance(r.b1), rise = at_r - at_l;
-  if(! (absolute(rise) < width))
+  if(!(absolute(rise) < width))
     return false;
   const FT slope_l = l.slope(l.b0), slope_r = r.slope(r.b1);
   merged = l;
@@ -67,17 +67,17 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
     // spread the further, the smaller d is; each end bounds d from above.
     const FT square = (width - rise) * (width + rise) / FT(2);
     const FT excess_l = rise - width * slope_l, excess_r = width * slope_r - rise;
-    if(! (excess_l > FT(0)) && ! (excess_r > FT(0)))
+    if(!(excess_l > FT(0)) && !(excess_r > FT(0)))
       return false;
     FT d = excess_l > FT(0) ? FT(square / excess_l) : FT(square / excess_r - rise);
     if(excess_l > FT(0) && excess_r > FT(0))
       d = (std::min)(d, FT(square / excess_r - rise));
-    if(! (d > FT(0)) || ! (d + rise > FT(0)))
+    if(!(d > FT(0)) || !(d + rise > FT(0)))
       return false;
     // the place of the source
     const FT x = (width - rise * (FT(2) * d + rise) / width) / FT(2);
     const FT y2 = (d - x) * (d + x);
-    if(! (y2 > FT(0)))
+    if(!(y2 > FT(0)))
       return false;
     merged.x = l.b0 + x;
     merged.y = square_root(y2);
@@ -86,7 +86,7 @@ bool merge_windows(const Window<FT>& l, const Window<FT>& r, double allowed, Win
   const double error = (std::max)(l.error + largest_difference(merged, l), r.error + largest_difference(merged, r));
   const double nearest = as_double((std::min)(l.minimum(), r.minimum()));
   const double with_rounding = error * (1 + 1e-6);
-  if(! (with_rounding <= allowed * (nearest - with_rounding)))
+  if(!(with_rounding <= allowed * (nearest - with_rounding)))
     return false;
   merged.error = static_cast<float>(with_rounding);
   return true;

@@ -53,13 +53,13 @@ public:
   // `keep_windows`: whether the windows of an edge stay when the front has passed it.
   // The sources must stay as they are.
   Window_propagation(const Mesh& mesh, const Sources& sources, double allowed_error, bool keep_windows)
-    : m_mesh(mesh),
-      m_allowed_error(allowed_error),
-      m_front(mesh, keep_windows, faces_of_group(sources, allowed_error)),
-      m_cross(m_front),
-      m_departure(m_front, m_cross)
+    : m_mesh(mesh)
+    , m_allowed_error(allowed_error)
+    , m_front(mesh, keep_windows, faces_of_group(sources, allowed_error))
+    , m_cross(m_front)
+    , m_departure(m_front, m_cross)
   {
-    Source_departure<Wavefront<FT> > start(m_front, m_cross, m_departure);
+    Source_departure<Wavefront<FT>> start(m_front, m_cross, m_departure);
     for(int i = 0; i < static_cast<int>(sources.elements().size()); ++i)
       start(sources, i);
     if(keep_windows)
@@ -99,7 +99,7 @@ public:
     Front_queue& queue = m_front.queue();
     while(queue.advance())
     {
-      if(! go_on(queue.front()))
+      if(!go_on(queue.front()))
         return queue.front();
       while(queue.step_has_more())
       {
@@ -111,7 +111,7 @@ public:
         }
         if((v = queue.pop_vertex()) != -1)
         {
-          m_passed += ! label(v).is_passed;
+          m_passed += !label(v).is_passed;
           m_front.label(v).is_passed = true;
           m_departure.leave_vertex(v);
         }
@@ -121,8 +121,9 @@ public:
   }
 
 private:
-  // Narrow windows cross large groups fast, wide ones spread over them from every edge: that many faces serve best. Windows are narrow if they
-  // are many, in exact fields of a few points. Exact types pay for longer expressions behind a group by orders of magnitude, and have none.
+  // Narrow windows cross large groups fast, wide ones spread over them from every edge: that many faces serve best.
+  // Windows are narrow if they are many, in exact fields of a few points. Exact types pay for longer expressions behind
+  // a group by orders of magnitude, and have none.
   static int faces_of_group(const Sources& sources, double allowed_error)
   {
     const std::size_t few = 8;
@@ -209,17 +210,18 @@ private:
       if(queue.front() >= latest)
         m_front.lists().clear(list);
       else
-        queue.push_edge(e, latest < as_double(unreached()) / 4 ? (std::max)(latest + queue.step(), queue.next_key()) : queue.next_key());
+        queue.push_edge(e, latest < as_double(unreached()) / 4 ? (std::max)(latest + queue.step(), queue.next_key())
+                                                               : queue.next_key());
     }
   }
 
   const Mesh& m_mesh;
   double m_allowed_error;
   Wavefront<FT> m_front;
-  Face_crossing<Wavefront<FT> > m_cross;
-  Vertex_departure<Wavefront<FT> > m_departure;
-  std::unique_ptr<Open_windows<FT> > m_open_windows;
-  std::vector<W> m_to_left, m_to_right;        // the windows that cross now, by the face that they cross
+  Face_crossing<Wavefront<FT>> m_cross;
+  Vertex_departure<Wavefront<FT>> m_departure;
+  std::unique_ptr<Open_windows<FT>> m_open_windows;
+  std::vector<W> m_to_left, m_to_right; // the windows that cross now, by the face that they cross
   std::size_t m_propagations = 0, m_passed = 0;
 };
 

@@ -37,10 +37,9 @@ class Binary_scanner
 
 public:
   Binary_scanner(const char* begin, const char* end, bool is_big_endian)
-    : m_pos(begin)
-    , m_end(end)
-    , m_swaps(is_big_endian != is_machine_big_endian())
-  {}
+    : m_pos(begin), m_end(end), m_swaps(is_big_endian != is_machine_big_endian())
+  {
+  }
 
   bool failed() const { return m_failed; }
   std::size_t left() const { return static_cast<std::size_t>(m_end - m_pos); }

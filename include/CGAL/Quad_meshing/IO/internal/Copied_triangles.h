@@ -51,7 +51,7 @@ class Copied_triangles
     Soup_index low, high;
     std::size_t number_of_doubles;
     std::size_t first_double;
-    std::vector<std::pair<Soup_index, bool> > singles; // other triangles, and whether they run upwards
+    std::vector<std::pair<Soup_index, bool>> singles; // other triangles, and whether they run upwards
   };
 
   struct Region
@@ -76,9 +76,9 @@ class Copied_triangles
 
 public:
   Copied_triangles(const Soup_triangles& triangles, const Soup_size& size)
-    : m_triangles(triangles)
-    , m_largest_area(largest_area_of_fin * size.diagonal * size.diagonal)
-  {}
+    : m_triangles(triangles), m_largest_area(largest_area_of_fin * size.diagonal * size.diagonal)
+  {
+  }
 
   // Returns false if there are no copies; else is_dropped() and the others are there.
   bool operator()()
@@ -133,16 +133,17 @@ private:
     sorted.reserve(n);
     for(std::size_t f = 0; f < n; ++f)
     {
-      std::array<Soup_index, 3> p = {{ place(f, 0), place(f, 1), place(f, 2) }};
+      std::array<Soup_index, 3> p = { { place(f, 0), place(f, 1), place(f, 2) } };
       const bool is_odd = (p[0] > p[1]) != (p[1] > p[2]) ? p[0] < p[2] : p[0] > p[2];
       std::sort(p.begin(), p.end());
       sorted.push_back({ p, static_cast<Soup_index>(f), is_odd });
     }
-    std::sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b)
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Sorted& a, const Sorted& b)
               { return std::tie(a.places, a.triangle) < std::tie(b.places, b.triangle); });
     for(std::size_t i = 0, j; i < n; i = j)
     {
-      Double d = { {{ no_index, no_index }}, 0 };
+      Double d = { { { no_index, no_index } }, 0 };
       for(j = i; j < n && sorted[j].places == sorted[i].places; ++j)
       {
         const Soup_index f = sorted[j].triangle;
@@ -187,16 +188,17 @@ private:
   {
     m_double_of.assign(m_triangles.size(), no_index);
     std::vector<char> is_touched(m_triangles.points.size(), 0);
-    std::vector<std::array<Soup_index, 3> > sides; // low, high, double
+    std::vector<std::array<Soup_index, 3>> sides; // low, high, double
     for(std::size_t d = 0; d < m_doubles.size(); ++d)
     {
       for(Soup_index f : m_doubles[d].copy)
         if(f != no_index)
           m_double_of[f] = static_cast<Soup_index>(d);
-      for_each_side(first_copy(m_doubles[d]), [&](Soup_index a, Soup_index b)
-      {
+      for_each_side(first_copy(m_doubles[d]),
+                    [&](Soup_index a, Soup_index b)
+                    {
         is_touched[a] = is_touched[b] = 1;
-        sides.push_back({{ (std::min)(a, b), (std::max)(a, b), static_cast<Soup_index>(d) }});
+        sides.push_back({ { (std::min)(a, b), (std::max)(a, b), static_cast<Soup_index>(d) } });
       });
     }
     std::sort(sides.begin(), sides.end());
@@ -210,8 +212,9 @@ private:
     {
       if(m_double_of[f] != no_index || m_is_dropped[f])
         continue;
-      for_each_side(f, [&](Soup_index a, Soup_index b)
-      {
+      for_each_side(f,
+                    [&](Soup_index a, Soup_index b)
+                    {
         Double_edge* const e = is_touched[a] && is_touched[b] ? find_edge(a, b) : nullptr;
         if(e != nullptr)
           e->singles.emplace_back(static_cast<Soup_index>(f), a < b);
@@ -223,8 +226,9 @@ private:
   {
     Disjoint_sets regions(static_cast<int>(m_doubles.size()));
     for(std::size_t d = 0; d < m_doubles.size(); ++d)
-      for_each_side(first_copy(m_doubles[d]), [&](Soup_index a, Soup_index b)
-      {
+      for_each_side(first_copy(m_doubles[d]),
+                    [&](Soup_index a, Soup_index b)
+                    {
         const Double_edge& e = *find_edge(a, b);
         if(e.singles.empty())
           regions.join(static_cast<int>(d), static_cast<int>(e.first_double));
@@ -237,8 +241,9 @@ private:
       ++r.faces;
       r.area += area(first_copy(m_doubles[d]));
       r.divides = r.divides && m_doubles[d].copy[0] != no_index && m_doubles[d].copy[1] != no_index;
-      for_each_side(first_copy(m_doubles[d]), [&](Soup_index a, Soup_index b)
-      {
+      for_each_side(first_copy(m_doubles[d]),
+                    [&](Soup_index a, Soup_index b)
+                    {
         const Double_edge& e = *find_edge(a, b);
         r.is_missed = r.is_missed || e.singles.size() == 1;
         r.is_attached = r.is_attached || e.singles.size() > 1;
@@ -268,7 +273,7 @@ private:
           return angle_of_point(m_triangles.point(g, k));
       return 0.;
     };
-    std::vector<std::pair<double, bool> > singles;
+    std::vector<std::pair<double, bool>> singles;
     for(const auto& single : e.singles)
       singles.emplace_back(angle(single.first), single.second);
     std::sort(singles.begin(), singles.end());

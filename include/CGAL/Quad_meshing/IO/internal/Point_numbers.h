@@ -58,8 +58,7 @@ class Point_numbers
 
 public:
   // The points may grow later.
-  explicit Point_numbers(const std::vector<Polygon_soup::Point>& points, std::size_t expected)
-    : m_points(points)
+  explicit Point_numbers(const std::vector<Polygon_soup::Point>& points, std::size_t expected) : m_points(points)
   {
     std::size_t capacity = 16;
     while(capacity < 2 * expected)

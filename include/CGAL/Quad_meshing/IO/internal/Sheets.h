@@ -58,14 +58,11 @@ public:
   std::size_t reversed_faces = 0;
   bool joins_places = false; // whether sides between different vertices were joined
 
-  Sheets(Soup_triangles& triangles, const Mesh_repairs& repairs)
-    : m_triangles(triangles)
-    , m_repairs(repairs)
-  {}
+  Sheets(Soup_triangles& triangles, const Mesh_repairs& repairs) : m_triangles(triangles), m_repairs(repairs) {}
 
   // `joined` are pairs of sides that belong together whatever other sides there are; `groups` are the sides between the
   // same vertices of the file. Returns false if the result says why not.
-  bool operator()(const std::vector<std::array<Soup_index, 2> >& joined, const Side_groups& groups,
+  bool operator()(const std::vector<std::array<Soup_index, 2>>& joined, const Side_groups& groups,
                   Mesh_reading_result& result)
   {
     m_partner.assign(m_triangles.number_of_sides(), no_index);
@@ -120,8 +117,9 @@ private:
   std::vector<Soup_index> join_sides_of_file(const Side_groups& groups)
   {
     std::vector<Soup_index> left, group;
-    groups.for_each([&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
-    {
+    groups.for_each(
+      [&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
+      {
       group.clear();
       for(Soup_index s : sides)
         if(m_partner[s] == no_index)
@@ -142,9 +140,9 @@ private:
   bool refuse_one_side(Mesh_reading_result& result) const
   {
     return refuse(
-        result, Mesh_reading_status::NOT_ORIENTABLE,
-        "The surface is not orientable: a strip of faces comes back to where it began with its other side up, as "
-        "in a Moebius strip.");
+      result, Mesh_reading_status::NOT_ORIENTABLE,
+      "The surface is not orientable: a strip of faces comes back to where it began with its other side up, as "
+      "in a Moebius strip.");
   }
 
   bool orient_parts_of_file(Mesh_reading_result& result)
@@ -211,9 +209,9 @@ private:
       for(std::size_t k = 0; k < 3; ++k)
         set.is_closed = set.is_closed && m_partner[3 * f + k] != no_index;
       const Polygon_soup::Point& o = m_triangles.point(found.first, 0);
-      const double volume = soup_dot(soup_difference(m_triangles.point(f, 0), o),
-                                     soup_cross(soup_difference(m_triangles.point(f, 1), o),
-                                                soup_difference(m_triangles.point(f, 2), o)));
+      const double volume =
+        soup_dot(soup_difference(m_triangles.point(f, 0), o),
+                 soup_cross(soup_difference(m_triangles.point(f, 1), o), soup_difference(m_triangles.point(f, 2), o)));
       set.volume += found.second ? -volume : volume;
     }
     m_is_turned.assign(nf, 0);
@@ -318,9 +316,8 @@ private:
       }
       std::sort(pairs.begin(), pairs.end(),
                 [](const Pair& s, const Pair& t) {
-                  return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) <
-                         std::tie(t.is_mixed, t.turns, t.bend, t.a, t.b);
-                });
+        return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) < std::tie(t.is_mixed, t.turns, t.bend, t.a, t.b);
+      });
       for(const Pair& pair : pairs)
         join_if_orientable(pair.a, pair.b);
     }
@@ -329,7 +326,7 @@ private:
   bool turn_triangles(Mesh_reading_result& result)
   {
     // Sides 0, 1, 2 of a triangle that is turned become sides 1, 0, 2.
-    static constexpr std::array<std::size_t, 3> turned = {{ 1, 0, 2 }};
+    static constexpr std::array<std::size_t, 3> turned = { { 1, 0, 2 } };
     std::vector<Soup_index> partner(m_partner.size());
     auto new_number = [&](Soup_index s)
     { return s == no_index || !m_is_turned[s / 3] ? s : static_cast<Soup_index>(3 * (s / 3) + turned[s % 3]); };

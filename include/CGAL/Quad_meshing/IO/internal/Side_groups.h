@@ -35,8 +35,7 @@ class Side_groups
 public:
   // source(s) and target(s) give the ends of side s < n, numbers below `ends`.
   template <typename Source, typename Target>
-  Side_groups(std::size_t n, std::size_t ends, Source source, Target target)
-    : m_first(ends + 1, 0)
+  Side_groups(std::size_t n, std::size_t ends, Source source, Target target) : m_first(ends + 1, 0)
   {
     for(std::size_t s = 0; s < n; ++s)
     {

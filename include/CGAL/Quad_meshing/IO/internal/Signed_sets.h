@@ -28,9 +28,7 @@ class Signed_sets
   std::vector<char> m_is_reversed; // against the parent
 
 public:
-  explicit Signed_sets(std::size_t n)
-    : m_parent(n)
-    , m_is_reversed(n, 0)
+  explicit Signed_sets(std::size_t n) : m_parent(n), m_is_reversed(n, 0)
   {
     std::iota(m_parent.begin(), m_parent.end(), Soup_index(0));
   }

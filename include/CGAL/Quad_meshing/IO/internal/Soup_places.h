@@ -55,9 +55,7 @@ class Soup_places
 
 public:
   Soup_places(const Polygon_soup& soup, double merging_distance)
-    : m_soup(soup)
-    , m_size(soup.points)
-    , m_place(soup.points.size())
+    : m_soup(soup), m_size(soup.points), m_place(soup.points.size())
   {
     Point_numbers numbers(soup.points, soup.points.size());
     for(std::size_t v = 0; v < soup.points.size(); ++v)
@@ -97,8 +95,9 @@ private:
   bool is_closed() const
   {
     std::uint64_t sum = 0;
-    for_each_side([&](std::size_t c, std::size_t d)
-    {
+    for_each_side(
+      [&](std::size_t c, std::size_t d)
+      {
       const std::uint64_t a = place_of_corner(c), b = place_of_corner(d);
       if(a != b)
         sum += a < b ? mixed_bits((a << 32) | b) : ~mixed_bits((b << 32) | a) + 1;
@@ -111,12 +110,13 @@ private:
   void join_short_sides()
   {
     const double vanishing = m_size.vanishing_length();
-    std::vector<std::array<Soup_index, 2> > short_sides;
-    for_each_side([&](std::size_t c, std::size_t d)
-    {
+    std::vector<std::array<Soup_index, 2>> short_sides;
+    for_each_side(
+      [&](std::size_t c, std::size_t d)
+      {
       const Soup_index a = place_of_corner(c), b = place_of_corner(d);
       if(a != b && soup_distance(m_soup.points[a], m_soup.points[b]) <= vanishing)
-        short_sides.push_back({{ a, b }});
+        short_sides.push_back({ { a, b } });
     });
     for(const auto& side : short_sides)
       join(side[0], side[1]);
@@ -151,19 +151,22 @@ private:
   {
     std::vector<Soup_index> next(m_soup.corners.size());
     for_each_side([&](std::size_t c, std::size_t d) { next[c] = static_cast<Soup_index>(d); });
-    const Side_groups groups(m_soup.corners.size(), m_place.size(), [&](std::size_t c) { return place_of_corner(c); },
-                             [&](std::size_t c) { return place_of_corner(next[c]); });
+    const Side_groups groups(
+      m_soup.corners.size(), m_place.size(), [&](std::size_t c) { return place_of_corner(c); },
+      [&](std::size_t c) { return place_of_corner(next[c]); });
 
     std::vector<Candidate> result;
     std::vector<char> is_candidate(m_place.size(), 0);
-    groups.for_each([&](Soup_index low, Soup_index high, const std::vector<Soup_index>& sides)
-    {
+    groups.for_each(
+      [&](Soup_index low, Soup_index high, const std::vector<Soup_index>& sides)
+      {
       if(sides.size() == 1)
         is_candidate[low] = is_candidate[high] = 1;
     });
     std::vector<double> shortest(m_place.size(), (std::numeric_limits<double>::max)());
-    groups.for_each([&](Soup_index low, Soup_index high, const std::vector<Soup_index>&)
-    {
+    groups.for_each(
+      [&](Soup_index low, Soup_index high, const std::vector<Soup_index>&)
+      {
       if(!is_candidate[low] && !is_candidate[high])
         return;
       const double l = soup_distance(m_soup.points[low], m_soup.points[high]);
@@ -194,8 +197,9 @@ private:
       boxes.emplace_back(Bbox_3(p[0] - r, p[1] - r, p[2] - r, p[0] + r, p[1] + r, p[2] + r), i);
     }
     std::vector<Pair> pairs;
-    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& s, const Box& t)
-    {
+    box_self_intersection_d(boxes.begin(), boxes.end(),
+                            [&](const Box& s, const Box& t)
+                            {
       const std::size_t a = (std::min)(s.info(), t.info()), b = (std::max)(s.info(), t.info());
       const double d = soup_distance(m_soup.points[vertices[a].vertex], m_soup.points[vertices[b].vertex]);
       if(d <= (std::min)(vertices[a].tolerance, vertices[b].tolerance))
@@ -210,7 +214,7 @@ private:
               { return std::tie(s.distance, s.a, s.b) < std::tie(t.distance, t.a, t.b); });
     std::vector<std::size_t> cluster(vertices.size());
     std::iota(cluster.begin(), cluster.end(), std::size_t(0));
-    std::vector<std::vector<std::size_t> > members(vertices.size());
+    std::vector<std::vector<std::size_t>> members(vertices.size());
     for(std::size_t i = 0; i < vertices.size(); ++i)
       members[i] = { i };
     for(const Pair& pair : pairs)

@@ -22,11 +22,11 @@ namespace internal {
 // Triangles on their way from a file to a surface. Side 3 f + k runs from corner k of triangle f to the next one.
 struct Soup_triangles
 {
-  std::vector<Polygon_soup::Point> points;            // of the file, and inserted ones behind them
-  std::vector<std::array<Soup_index, 3> > corners;
-  std::vector<Soup_index> file_face;                  // the polygon of the file that a triangle comes from
-  std::vector<Soup_index> other_side;                 // the polygon that was dropped as its other side; may be empty
-  std::vector<Soup_index> place;                      // of each point; empty: each has its own
+  std::vector<Polygon_soup::Point> points; // of the file, and inserted ones behind them
+  std::vector<std::array<Soup_index, 3>> corners;
+  std::vector<Soup_index> file_face;  // the polygon of the file that a triangle comes from
+  std::vector<Soup_index> other_side; // the polygon that was dropped as its other side; may be empty
+  std::vector<Soup_index> place;      // of each point; empty: each has its own
 
   std::size_t size() const { return corners.size(); }
   std::size_t number_of_sides() const { return 3 * corners.size(); }

@@ -37,9 +37,9 @@ public:
   std::size_t number_split = 0; // vertices that became several
 
   Surface_vertices(Soup_triangles& triangles, std::vector<Soup_index>& partner)
-    : m_triangles(triangles)
-    , m_partner(partner)
-  {}
+    : m_triangles(triangles), m_partner(partner)
+  {
+  }
 
   void operator()()
   {
@@ -97,8 +97,9 @@ public:
     std::vector<Soup_index> midpoint(m_triangles.number_of_sides(), no_index);
     bool is_any = false;
     const Side_groups groups = group_sides();
-    groups.for_each([&](Soup_index low, Soup_index high, const std::vector<Soup_index>& sides)
-    {
+    groups.for_each(
+      [&](Soup_index low, Soup_index high, const std::vector<Soup_index>& sides)
+      {
       bool is_first = true;
       for(Soup_index s : sides)
       {
@@ -112,7 +113,7 @@ public:
           if(t != no_index)
             midpoint[t] = midpoint[s];
           const Polygon_soup::Point p = m_triangles.points[low], q = m_triangles.points[high];
-          m_triangles.points.push_back({{ 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) }});
+          m_triangles.points.push_back({ { 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) } });
         }
         is_first = false;
       }
@@ -121,11 +122,12 @@ public:
       return;
     const std::size_t nf = m_triangles.size();
     for(std::size_t f = 0; f < nf; ++f)
-      split(f, {{ midpoint[3 * f], midpoint[3 * f + 1], midpoint[3 * f + 2] }});
+      split(f, { { midpoint[3 * f], midpoint[3 * f + 1], midpoint[3 * f + 2] } });
     // Now every edge has ends of its own.
     m_partner.assign(m_triangles.number_of_sides(), no_index);
-    group_sides().for_each([&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
-    {
+    group_sides().for_each(
+      [&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
+      {
       if(sides.size() == 2)
       {
         m_partner[sides[0]] = sides[1];
@@ -160,9 +162,9 @@ private:
 
   Side_groups group_sides() const
   {
-    return Side_groups(m_triangles.number_of_sides(), m_triangles.points.size(),
-                       [&](std::size_t s) { return m_triangles.source(s); },
-                       [&](std::size_t s) { return m_triangles.target(s); });
+    return Side_groups(
+      m_triangles.number_of_sides(), m_triangles.points.size(), [&](std::size_t s) { return m_triangles.source(s); },
+      [&](std::size_t s) { return m_triangles.target(s); });
   }
 
   // Puts vertices into the sides of a triangle; no_index stands for none.
@@ -170,8 +172,9 @@ private:
   {
     const auto number = 3 - std::count(m.begin(), m.end(), no_index);
     std::array<Soup_index, 3> c = m_triangles.corners[f];
-    auto add = [&](Soup_index p, Soup_index q, Soup_index r)
-    { m_triangles.add({{ p, q, r }}, m_triangles.file_face[f], m_triangles.other_side_of(f)); };
+    auto add = [&](Soup_index p, Soup_index q, Soup_index r) {
+      m_triangles.add({ { p, q, r } }, m_triangles.file_face[f], m_triangles.other_side_of(f));
+    };
     // The sides with a vertex come first.
     while(number > 0 && number < 3 && (m[0] == no_index || m[2] != no_index))
     {
@@ -180,18 +183,18 @@ private:
     }
     if(number == 1)
     {
-      m_triangles.corners[f] = {{ c[0], m[0], c[2] }};
+      m_triangles.corners[f] = { { c[0], m[0], c[2] } };
       add(m[0], c[1], c[2]);
     }
     else if(number == 2)
     {
-      m_triangles.corners[f] = {{ m[0], c[1], m[1] }};
+      m_triangles.corners[f] = { { m[0], c[1], m[1] } };
       add(c[0], m[0], m[1]);
       add(c[0], m[1], c[2]);
     }
     else if(number == 3)
     {
-      m_triangles.corners[f] = {{ m[0], m[1], m[2] }};
+      m_triangles.corners[f] = { { m[0], m[1], m[2] } };
       add(c[0], m[0], m[2]);
       add(m[0], c[1], m[1]);
       add(m[1], c[2], m[2]);

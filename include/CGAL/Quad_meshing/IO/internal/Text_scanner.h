@@ -32,7 +32,7 @@ constexpr double largest_coordinate = 1e70;
 // What is wrong with a coordinate, null if nothing is.
 inline const char* coordinate_defect(double x)
 {
-  return !std::isfinite(x) ? " has a coordinate that is not a finite number"
+  return !std::isfinite(x)                  ? " has a coordinate that is not a finite number"
          : std::abs(x) > largest_coordinate ? " has a coordinate too large to compute with"
                                             : nullptr;
 }
@@ -215,9 +215,8 @@ private:
   static double out_of_range(std::string_view text)
   {
     const std::size_t exponent = text.find_first_of("eE");
-    const bool is_tiny = exponent != std::string_view::npos
-                           ? exponent + 1 < text.size() && text[exponent + 1] == '-'
-                           : text.find_first_of("123456789") > text.find('.');
+    const bool is_tiny = exponent != std::string_view::npos ? exponent + 1 < text.size() && text[exponent + 1] == '-'
+                                                            : text.find_first_of("123456789") > text.find('.');
     return is_tiny ? 0 : std::numeric_limits<double>::infinity();
   }
 

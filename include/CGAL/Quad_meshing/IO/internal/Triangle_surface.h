@@ -25,14 +25,13 @@ namespace internal {
 struct Triangle_surface
 {
   std::vector<Polygon_soup::Point> points;
-  std::vector<std::array<Soup_index, 3> > triangles;
+  std::vector<std::array<Soup_index, 3>> triangles;
   std::vector<Soup_index> opposite; // per side: that of the neighbor, no_index at the border
 };
 
 // Reads a file and makes a surface of it; see read_triangle_mesh(). Returns false if the result says why not.
-CGAL_QUAD_MESHING_INLINE bool
-read_triangle_surface(const std::string& filename, const Mesh_repairs& repairs, Triangle_surface& surface,
-                      Mesh_reading_result& result);
+CGAL_QUAD_MESHING_INLINE bool read_triangle_surface(const std::string& filename, const Mesh_repairs& repairs,
+                                                    Triangle_surface& surface, Mesh_reading_result& result);
 
 } // namespace internal
 } // namespace Quad_meshing

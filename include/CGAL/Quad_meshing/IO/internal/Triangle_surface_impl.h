@@ -45,7 +45,7 @@ class Surface_maker
   Soup_size m_size;
   Flatness m_is_flat;
   Soup_triangles m_triangles;
-  std::vector<std::array<Soup_index, 2> > m_diagonals; // pairs of sides that cut a polygon
+  std::vector<std::array<Soup_index, 2>> m_diagonals; // pairs of sides that cut a polygon
   std::vector<Soup_index> m_partner;
   std::vector<Soup_index> m_copies;    // pairs of polygons of the file: a copy, and the one that stays for it
   std::vector<char> m_is_named;        // per vertex of the file: whether a face names it
@@ -66,7 +66,8 @@ public:
     , m_number_of_file_faces(soup.size())
     , m_number_of_lines(soup.number_of_lines)
     , m_number_of_points(soup.number_of_points)
-  {}
+  {
+  }
 
   bool operator()()
   {
@@ -179,8 +180,8 @@ private:
       m_soup.corners.swap(simple.corners);
       m_soup.first_corner.swap(simple.first_corner);
       if(m_result.counts.shapeless_faces > 0 && !m_repairs.drop_copies)
-        return refuse(Mesh_reading_status::NEEDS_REPAIR, faces_have(m_result.counts.shapeless_faces) +
-                                                           " fewer than three distinct vertices.");
+        return refuse(Mesh_reading_status::NEEDS_REPAIR,
+                      faces_have(m_result.counts.shapeless_faces) + " fewer than three distinct vertices.");
     }
     m_triangles.points.swap(m_soup.points);
     if(m_soup.size() == 0)
@@ -196,7 +197,7 @@ private:
       const Soup_index* const v = m_soup.begin(f);
       if(m_soup.size(f) == 3)
       {
-        m_triangles.add({{ v[0], v[1], v[2] }}, file_face(f), no_index);
+        m_triangles.add({ { v[0], v[1], v[2] } }, file_face(f), no_index);
         continue;
       }
       ++m_result.counts.triangulated_polygons;
@@ -216,27 +217,27 @@ private:
     return true;
   }
 
-  void add_polygon(const std::vector<Soup_index>& v, const std::vector<std::array<std::size_t, 3> >& triangles,
+  void add_polygon(const std::vector<Soup_index>& v, const std::vector<std::array<std::size_t, 3>>& triangles,
                    bool is_reversed, Soup_index face)
   {
-    std::vector<std::pair<std::array<std::size_t, 2>, Soup_index> > sides; // positions in the polygon, side
+    std::vector<std::pair<std::array<std::size_t, 2>, Soup_index>> sides; // positions in the polygon, side
     for(std::array<std::size_t, 3> t : triangles)
     {
       if(is_reversed)
         std::swap(t[0], t[2]);
-      const std::array<Soup_index, 3> c = {{ v[t[0]], v[t[1]], v[t[2]] }};
+      const std::array<Soup_index, 3> c = { { v[t[0]], v[t[1]], v[t[2]] } };
       // A polygon that touches itself has corners at one place.
       if(place(c[0]) == place(c[1]) || place(c[1]) == place(c[2]) || place(c[2]) == place(c[0]))
         continue;
       for(std::size_t k = 0; k < 3; ++k)
-        sides.push_back({ {{ (std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]) }},
+        sides.push_back({ { { (std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]) } },
                           static_cast<Soup_index>(m_triangles.number_of_sides() + k) });
       m_triangles.add(c, face, no_index);
     }
     std::sort(sides.begin(), sides.end());
     for(std::size_t i = 0; i + 1 < sides.size(); ++i)
       if(sides[i].first == sides[i + 1].first)
-        m_diagonals.push_back({{ sides[i].second, sides[i + 1].second }});
+        m_diagonals.push_back({ { sides[i].second, sides[i + 1].second } });
   }
 
   static std::string faces_have(std::size_t n)
@@ -246,9 +247,9 @@ private:
 
   void group_sides()
   {
-    m_groups.emplace(m_triangles.number_of_sides(), m_triangles.points.size(),
-                     [&](std::size_t s) { return m_triangles.source(s); },
-                     [&](std::size_t s) { return m_triangles.target(s); });
+    m_groups.emplace(
+      m_triangles.number_of_sides(), m_triangles.points.size(), [&](std::size_t s) { return m_triangles.source(s); },
+      [&](std::size_t s) { return m_triangles.target(s); });
   }
 
   // Whether two triangles may have the same corners. That takes an edge with more than two triangles, or two triangles
@@ -258,8 +259,9 @@ private:
     if(!m_triangles.place.empty())
       return true; // the groups are those of vertices, not of places
     bool result = false;
-    m_groups->for_each([&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
-    {
+    m_groups->for_each(
+      [&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
+      {
       result = result || sides.size() > 2 ||
                (sides.size() == 2 && m_triangles.source(Soup_triangles::previous(sides[0])) ==
                                        m_triangles.source(Soup_triangles::previous(sides[1])));
@@ -465,9 +467,8 @@ private:
   }
 };
 
-CGAL_QUAD_MESHING_INLINE bool
-read_triangle_surface(const std::string& filename, const Mesh_repairs& repairs, Triangle_surface& surface,
-                      Mesh_reading_result& result)
+CGAL_QUAD_MESHING_INLINE bool read_triangle_surface(const std::string& filename, const Mesh_repairs& repairs,
+                                                    Triangle_surface& surface, Mesh_reading_result& result)
 {
   Polygon_soup soup;
   return read_soup_file(filename, soup, result) && Surface_maker(soup, repairs, surface, result)();

@@ -37,7 +37,7 @@ inline double distance_to_segment(const Soup_vector& x, const Soup_vector& p, co
   const Soup_vector d = soup_difference(q, p);
   const double dd = soup_dot(d, d);
   const double t = dd > 0 ? (std::min)((std::max)(soup_dot(soup_difference(x, p), d) / dd, 0.), 1.) : 0;
-  return soup_distance(x, {{ p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2] }});
+  return soup_distance(x, { { p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2] } });
 }
 
 // Finds border edges that run along another border edge: those whose midpoint and whose points a quarter from their
@@ -62,7 +62,7 @@ inline Cracks find_cracks(const Triangle_surface& surface, double diagonal)
     boxes.emplace_back(Bbox_3((std::min)(p[0], q[0]) - r, (std::min)(p[1], q[1]) - r, (std::min)(p[2], q[2]) - r,
                               (std::max)(p[0], q[0]) + r, (std::max)(p[1], q[1]) + r, (std::max)(p[2], q[2]) + r),
                        segments.size());
-    segments.push_back({{ p, q }});
+    segments.push_back({ { p, q } });
     limits.push_back(limit);
     widths.push_back((std::numeric_limits<double>::max)());
   }
@@ -81,13 +81,16 @@ inline Cracks find_cracks(const Triangle_surface& surface, double diagonal)
     }
     widths[i] = (std::min)(widths[i], width);
   };
-  struct Too_many {};
+  struct Too_many
+  {
+  };
   constexpr std::size_t most_pairs = 20000000; // some seconds
   std::size_t number_of_pairs = 0;
   try
   {
-    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
-    {
+    box_self_intersection_d(boxes.begin(), boxes.end(),
+                            [&](const Box& a, const Box& b)
+                            {
       if(++number_of_pairs > most_pairs)
         throw Too_many();
       compare(a.info(), b.info());

@@ -35,15 +35,12 @@ class Flat_triangles
   const Flatness m_is_flat;
   std::vector<char> m_is_removed;
   std::vector<char> m_is_marked; // per place: all triangles there are in the table
-  std::unordered_map<std::uint64_t, std::vector<Soup_index> > m_at_side;
+  std::unordered_map<std::uint64_t, std::vector<Soup_index>> m_at_side;
 
 public:
   std::size_t number_removed = 0;
 
-  Flat_triangles(Soup_triangles& triangles, const Flatness& is_flat)
-    : m_triangles(triangles)
-    , m_is_flat(is_flat)
-  {}
+  Flat_triangles(Soup_triangles& triangles, const Flatness& is_flat) : m_triangles(triangles), m_is_flat(is_flat) {}
 
   // The triangles that are flat.
   std::vector<Soup_index> find() const
@@ -138,8 +135,8 @@ private:
         continue; // a flat triangle with the same vertices
       // Copies: the vectors grow.
       const Soup_index face = m_triangles.file_face[g], other = m_triangles.other_side_of(g);
-      add({{ c[l], middle, c[(l + 2) % 3] }}, face, other, queue);
-      add({{ middle, c[(l + 1) % 3], c[(l + 2) % 3] }}, face, other, queue);
+      add({ { c[l], middle, c[(l + 2) % 3] } }, face, other, queue);
+      add({ { middle, c[(l + 1) % 3], c[(l + 2) % 3] } }, face, other, queue);
     }
     return true;
   }

@@ -25,9 +25,10 @@ namespace internal {
 inline bool is_other_obj_statement(std::string_view key)
 {
   static const std::array<std::string_view, 30> keys = {
-      {"vt",     "vn",    "vp",       "g",        "o",    "s",          "mg",        "usemtl", "mtllib", "usemap",
-       "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
-       "deg",    "bmat",  "step",     "parm",     "trim", "hole",       "scrv",      "sp",     "end",    "con"}};
+    { "vt",     "vn",    "vp",       "g",        "o",    "s",          "mg",        "usemtl", "mtllib", "usemap",
+      "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
+      "deg",    "bmat",  "step",     "parm",     "trim", "hole",       "scrv",      "sp",     "end",    "con" }
+  };
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
@@ -101,9 +102,9 @@ inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup
       if(soup.corners[c] < nv)
         continue;
       const long long v = soup.corners[c] == no_index ? soup.impossible_index : static_cast<long long>(soup.corners[c]);
-      return in.fail_at(line_of_obj_face(text, f), "face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                                        ", but there are only " + count_of(nv, "vertex", "vertices") +
-                                        " (numbers count from 0)",
+      return in.fail_at(line_of_obj_face(text, f),
+                        "face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but there are only " +
+                          count_of(nv, "vertex", "vertices") + " (numbers count from 0)",
                         Mesh_reading_status::INVALID_INDEX);
     }
 }

@@ -110,8 +110,8 @@ inline void read_off_text(Text_scanner& in, const Off_header& header, std::size_
     in.skip_to_item();
     if(!(in.read(x) && in.read(y) && in.read(z) && (!header.is_homogeneous || in.read(w))))
       return;
-    const Polygon_soup::Point p = header.is_homogeneous ? Polygon_soup::Point{{ x / w, y / w, z / w }}
-                                                        : Polygon_soup::Point{{ x, y, z }};
+    const Polygon_soup::Point p =
+      header.is_homogeneous ? Polygon_soup::Point{ { x / w, y / w, z / w } } : Polygon_soup::Point{ { x, y, z } };
     if(!check_point(in, p, i))
       return;
     soup.points.push_back(p);
@@ -170,7 +170,7 @@ inline void read_off_binary(Text_scanner& in, const Off_header& header, std::siz
   soup.set_single_precision();
   for(std::size_t i = 0; i < static_cast<std::size_t>(nv); ++i)
   {
-    std::array<double, 4> x = {{ 0, 0, 0, 1 }};
+    std::array<double, 4> x = { { 0, 0, 0, 1 } };
     for(std::size_t k = 0; k < header.number_of_values; ++k)
     {
       const double value = data.read<float>();
@@ -179,7 +179,7 @@ inline void read_off_binary(Text_scanner& in, const Off_header& header, std::siz
     }
     if(data.failed())
       return in.fail("the file ends within vertex " + std::to_string(i));
-    soup.points.push_back({{ x[0] / x[3], x[1] / x[3], x[2] / x[3] }});
+    soup.points.push_back({ { x[0] / x[3], x[1] / x[3], x[2] / x[3] } });
     if(!check_point(in, soup.points.back(), i))
       return;
   }

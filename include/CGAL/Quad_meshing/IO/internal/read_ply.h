@@ -24,28 +24,41 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-enum class Ply_type { NONE, INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64, FLOAT32, FLOAT64 };
+enum class Ply_type
+{
+  NONE,
+  INT8,
+  UINT8,
+  INT16,
+  UINT16,
+  INT32,
+  UINT32,
+  INT64,
+  UINT64,
+  FLOAT32,
+  FLOAT64
+};
 
 inline Ply_type ply_type(std::string_view name)
 {
-  static const std::array<std::pair<std::string_view, Ply_type>, 18> names = {{{"char", Ply_type::INT8},
-                                                                               {"int8", Ply_type::INT8},
-                                                                               {"uchar", Ply_type::UINT8},
-                                                                               {"uint8", Ply_type::UINT8},
-                                                                               {"short", Ply_type::INT16},
-                                                                               {"int16", Ply_type::INT16},
-                                                                               {"ushort", Ply_type::UINT16},
-                                                                               {"uint16", Ply_type::UINT16},
-                                                                               {"int", Ply_type::INT32},
-                                                                               {"int32", Ply_type::INT32},
-                                                                               {"uint", Ply_type::UINT32},
-                                                                               {"uint32", Ply_type::UINT32},
-                                                                               {"int64", Ply_type::INT64},
-                                                                               {"uint64", Ply_type::UINT64},
-                                                                               {"float", Ply_type::FLOAT32},
-                                                                               {"float32", Ply_type::FLOAT32},
-                                                                               {"double", Ply_type::FLOAT64},
-                                                                               {"float64", Ply_type::FLOAT64}}};
+  static const std::array<std::pair<std::string_view, Ply_type>, 18> names = { { { "char", Ply_type::INT8 },
+                                                                                 { "int8", Ply_type::INT8 },
+                                                                                 { "uchar", Ply_type::UINT8 },
+                                                                                 { "uint8", Ply_type::UINT8 },
+                                                                                 { "short", Ply_type::INT16 },
+                                                                                 { "int16", Ply_type::INT16 },
+                                                                                 { "ushort", Ply_type::UINT16 },
+                                                                                 { "uint16", Ply_type::UINT16 },
+                                                                                 { "int", Ply_type::INT32 },
+                                                                                 { "int32", Ply_type::INT32 },
+                                                                                 { "uint", Ply_type::UINT32 },
+                                                                                 { "uint32", Ply_type::UINT32 },
+                                                                                 { "int64", Ply_type::INT64 },
+                                                                                 { "uint64", Ply_type::UINT64 },
+                                                                                 { "float", Ply_type::FLOAT32 },
+                                                                                 { "float32", Ply_type::FLOAT32 },
+                                                                                 { "double", Ply_type::FLOAT64 },
+                                                                                 { "float64", Ply_type::FLOAT64 } } };
   for(const auto& entry : names)
     if(entry.first == name)
       return entry.second;
@@ -116,7 +129,7 @@ public:
 
   double real(Ply_type type)
   {
-    return type == Ply_type::FLOAT32 ? static_cast<double>(m_in.read<float>())
+    return type == Ply_type::FLOAT32   ? static_cast<double>(m_in.read<float>())
            : type == Ply_type::FLOAT64 ? m_in.read<double>()
                                        : static_cast<double>(integer(type));
   }
@@ -125,15 +138,15 @@ public:
   {
     switch(type)
     {
-    case Ply_type::INT8: return m_in.read<std::int8_t>();
-    case Ply_type::UINT8: return m_in.read<std::uint8_t>();
-    case Ply_type::INT16: return m_in.read<std::int16_t>();
-    case Ply_type::UINT16: return m_in.read<std::uint16_t>();
-    case Ply_type::INT32: return m_in.read<std::int32_t>();
-    case Ply_type::UINT32: return m_in.read<std::uint32_t>();
-    case Ply_type::INT64: return m_in.read<std::int64_t>();
-    case Ply_type::UINT64: return static_cast<long long>(m_in.read<std::uint64_t>());
-    default: return static_cast<long long>(real(type));
+      case Ply_type::INT8: return m_in.read<std::int8_t>();
+      case Ply_type::UINT8: return m_in.read<std::uint8_t>();
+      case Ply_type::INT16: return m_in.read<std::int16_t>();
+      case Ply_type::UINT16: return m_in.read<std::uint16_t>();
+      case Ply_type::INT32: return m_in.read<std::int32_t>();
+      case Ply_type::UINT32: return m_in.read<std::uint32_t>();
+      case Ply_type::INT64: return m_in.read<std::int64_t>();
+      case Ply_type::UINT64: return static_cast<long long>(m_in.read<std::uint64_t>());
+      default: return static_cast<long long>(real(type));
     }
   }
 };
@@ -318,7 +331,7 @@ private:
   template <typename Values>
   void read_vertex(const Ply_element& element, Values& values)
   {
-    Polygon_soup::Point p = {{ 0, 0, 0 }};
+    Polygon_soup::Point p = { { 0, 0, 0 } };
     for(const Ply_property& property : element.properties)
     {
       if(property.count_type == Ply_type::NONE && property.name.size() == 1 && 'x' <= property.name[0] &&
@@ -367,7 +380,7 @@ private:
         continue;
       }
       const long long n = values.integer(element.properties[i].count_type);
-      std::array<long long, 2> last = {{ -1, -1 }};
+      std::array<long long, 2> last = { { -1, -1 } };
       std::size_t length = 0;
       for(long long k = 0; k < n && !values.failed(); ++k)
       {
@@ -383,7 +396,7 @@ private:
           m_soup.add_corner(v);
           m_soup.end_polygon();
         }
-        last = {{ last[1], v }};
+        last = { { last[1], v } };
       }
     }
   }
@@ -397,13 +410,12 @@ inline void read_ply(Text_scanner& in, std::string_view text, Polygon_soup& soup
   for(std::size_t f = 0; f < soup.size(); ++f)
     for(std::size_t c = soup.first_corner[f]; c < soup.first_corner[f + 1]; ++c)
       if(soup.corners[c] >= soup.points.size())
-        return in.fail_without_line("Face " + std::to_string(f) + " names vertex " +
-                                        std::to_string(c == soup.impossible_corner
-                                                           ? soup.impossible_index
-                                                           : static_cast<long long>(soup.corners[c])) +
-                                        ", but there are only " + count_of(soup.points.size(), "vertex", "vertices") +
-                                        " (numbers count from 0)",
-                                    Mesh_reading_status::INVALID_INDEX);
+        return in.fail_without_line(
+          "Face " + std::to_string(f) + " names vertex " +
+            std::to_string(c == soup.impossible_corner ? soup.impossible_index
+                                                       : static_cast<long long>(soup.corners[c])) +
+            ", but there are only " + count_of(soup.points.size(), "vertex", "vertices") + " (numbers count from 0)",
+          Mesh_reading_status::INVALID_INDEX);
 }
 
 } // namespace internal

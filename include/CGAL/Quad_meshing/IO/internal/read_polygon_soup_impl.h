@@ -20,9 +20,9 @@
 namespace CGAL {
 namespace Quad_meshing {
 
-CGAL_QUAD_MESHING_INLINE Mesh_reading_result
-read_polygon_soup(const std::string& filename, std::vector<std::array<double, 3> >& points,
-                  std::vector<std::vector<std::size_t> >& polygons)
+CGAL_QUAD_MESHING_INLINE Mesh_reading_result read_polygon_soup(const std::string& filename,
+                                                               std::vector<std::array<double, 3>>& points,
+                                                               std::vector<std::vector<std::size_t>>& polygons)
 {
   Mesh_reading_result result;
   internal::Polygon_soup soup;

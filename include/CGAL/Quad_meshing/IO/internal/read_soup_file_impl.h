@@ -111,9 +111,9 @@ CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygo
   if(in.failed())
     return refuse(in.status(), in.error());
   if(soup.size() == 0)
-    return refuse(Mesh_reading_status::NO_FACES,
-                  std::string(soup.points.size() == 1 ? "There is " : "There are ") +
-                    count_of(soup.points.size(), "vertex", "vertices") + " but no faces.");
+    return refuse(Mesh_reading_status::NO_FACES, std::string(soup.points.size() == 1 ? "There is " : "There are ") +
+                                                   count_of(soup.points.size(), "vertex", "vertices") +
+                                                   " but no faces.");
   if(soup.corners.size() >= no_index || soup.points.size() >= no_index)
     return refuse(Mesh_reading_status::MALFORMED_FILE,
                   "There are more corners of faces than can be numbered with 32 bits.");

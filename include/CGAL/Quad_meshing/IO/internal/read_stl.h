@@ -35,11 +35,9 @@ class Stl_reader
 
 public:
   Stl_reader(Text_scanner& in, std::string_view text, Polygon_soup& soup)
-    : m_in(in)
-    , m_text(text)
-    , m_soup(soup)
-    , m_numbers(soup.points, text.size() / 100)
-  {}
+    : m_in(in), m_text(text), m_soup(soup), m_numbers(soup.points, text.size() / 100)
+  {
+  }
 
   void operator()()
   {
@@ -184,7 +182,7 @@ private:
       return false;
     for(int k = 0; k < 3; ++k)
     {
-      Polygon_soup::Point p = {{ 0, 0, 0 }};
+      Polygon_soup::Point p = { { 0, 0, 0 } };
       if(!expect("vertex") || !(m_in.read(p[0]) && m_in.read(p[1]) && m_in.read(p[2])))
         return false;
       add_vertex(p);
@@ -194,10 +192,7 @@ private:
   }
 };
 
-inline void read_stl(Text_scanner& in, std::string_view text, Polygon_soup& soup)
-{
-  Stl_reader(in, text, soup)();
-}
+inline void read_stl(Text_scanner& in, std::string_view text, Polygon_soup& soup) { Stl_reader(in, text, soup)(); }
 
 } // namespace internal
 } // namespace Quad_meshing

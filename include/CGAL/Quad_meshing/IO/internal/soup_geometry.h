@@ -27,14 +27,14 @@ typedef std::array<double, 3> Soup_vector;
 
 inline Soup_vector soup_difference(const Soup_vector& a, const Soup_vector& b)
 {
-  return {{ a[0] - b[0], a[1] - b[1], a[2] - b[2] }};
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-inline Soup_vector soup_scaled(const Soup_vector& a, double s) { return {{ s * a[0], s * a[1], s * a[2] }}; }
+inline Soup_vector soup_scaled(const Soup_vector& a, double s) { return { { s * a[0], s * a[1], s * a[2] } }; }
 
 inline Soup_vector soup_cross(const Soup_vector& a, const Soup_vector& b)
 {
-  return {{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] }};
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
 inline double soup_dot(const Soup_vector& a, const Soup_vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -89,15 +89,16 @@ class Flatness
 
 public:
   Flatness(const Soup_size& size, double rounding_unit)
-    : m_vanishing_length(size.vanishing_length())
-    , m_unit(rounding_unit)
-  {}
+    : m_vanishing_length(size.vanishing_length()), m_unit(rounding_unit)
+  {
+  }
 
   // Whether the height over the longest side is rounding. `longest` becomes the corner where that side begins.
   bool operator()(const Soup_vector& p, const Soup_vector& q, const Soup_vector& r, int& longest) const
   {
-    const std::array<Soup_vector, 3> sides = {{ soup_difference(q, p), soup_difference(r, q), soup_difference(p, r) }};
-    const std::array<double, 3> lengths = {{ soup_length(sides[0]), soup_length(sides[1]), soup_length(sides[2]) }};
+    const std::array<Soup_vector, 3> sides = { { soup_difference(q, p), soup_difference(r, q),
+                                                 soup_difference(p, r) } };
+    const std::array<double, 3> lengths = { { soup_length(sides[0]), soup_length(sides[1]), soup_length(sides[2]) } };
     const auto largest = std::max_element(lengths.begin(), lengths.end());
     longest = static_cast<int>(largest - lengths.begin());
     if(!(*largest > m_vanishing_length))
@@ -123,15 +124,14 @@ class Angles_around_edge
   Soup_vector m_origin, m_x, m_y;
 
 public:
-  Angles_around_edge(const Soup_vector& p, const Soup_vector& q)
-    : m_origin(p)
+  Angles_around_edge(const Soup_vector& p, const Soup_vector& q) : m_origin(p)
   {
     const Soup_vector axis = soup_difference(q, p);
     std::size_t smallest = 0;
     for(std::size_t d = 1; d < 3; ++d)
       if(std::abs(axis[d]) < std::abs(axis[smallest]))
         smallest = d;
-    Soup_vector helper = {{ 0, 0, 0 }};
+    Soup_vector helper = { { 0, 0, 0 } };
     helper[smallest] = 1;
     m_x = soup_cross(axis, helper);
     m_y = soup_scaled(soup_cross(axis, m_x), 1 / (std::max)(soup_length(axis), (std::numeric_limits<double>::min)()));

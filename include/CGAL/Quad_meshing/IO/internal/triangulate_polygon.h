@@ -51,7 +51,7 @@ public:
       flip_to_delaunay();
     }
     else if(corners.size() == 3)
-      m_triangles.push_back({{ 0, 1, 2 }});
+      m_triangles.push_back({ { 0, 1, 2 } });
     return m_triangles;
   }
 
@@ -62,19 +62,19 @@ private:
     { return soup_cross(soup_difference(p[b], p[a]), soup_difference(p[c], p[b])); };
     const double p1p3 = soup_dot(normal(1, 2, 3), normal(3, 0, 1)), p0p2 = soup_dot(normal(0, 1, 2), normal(2, 3, 0));
     if(p0p2 > p1p3)
-      m_triangles = { {{ 0, 1, 2 }}, {{ 0, 2, 3 }} };
+      m_triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
     else
-      m_triangles = { {{ 0, 1, 3 }}, {{ 1, 2, 3 }} };
+      m_triangles = { { { 0, 1, 3 } }, { { 1, 2, 3 } } };
   }
 
   void project(const std::vector<Soup_vector>& corners)
   {
     const std::size_t n = corners.size();
-    Soup_vector normal = {{ 0, 0, 0 }};
+    Soup_vector normal = { { 0, 0, 0 } };
     for(std::size_t i = 1; i + 1 < n; ++i)
     {
       const Soup_vector c =
-          soup_cross(soup_difference(corners[i], corners[0]), soup_difference(corners[i + 1], corners[0]));
+        soup_cross(soup_difference(corners[i], corners[0]), soup_difference(corners[i + 1], corners[0]));
       for(std::size_t d = 0; d < 3; ++d)
         normal[d] += c[d];
     }
@@ -136,30 +136,30 @@ private:
         continue;
       }
       failures = 0;
-      m_triangles.push_back({{ prev[i], i, next[i] }});
+      m_triangles.push_back({ { prev[i], i, next[i] } });
       next[prev[i]] = next[i];
       prev[next[i]] = prev[i];
       --left;
-      others.erase(std::remove_if(others.begin(), others.end(),
-                                  [&](std::size_t j)
-                                  { return j == i || ((j == prev[i] || j == next[i]) && is_convex(j)); }),
-                   others.end());
+      others.erase(
+        std::remove_if(others.begin(), others.end(),
+                       [&](std::size_t j) { return j == i || ((j == prev[i] || j == next[i]) && is_convex(j)); }),
+        others.end());
       i = next[next[i]]; // not the neighbor: that would make a fan of slivers
     }
-    m_triangles.push_back({{ prev[i], i, next[i] }});
+    m_triangles.push_back({ { prev[i], i, next[i] } });
   }
 
   void flip_to_delaunay()
   {
     typedef std::pair<std::size_t, std::size_t> Key;
-    std::map<Key, std::array<std::size_t, 2> > triangles_at; // inner edges: their two triangles
+    std::map<Key, std::array<std::size_t, 2>> triangles_at; // inner edges: their two triangles
     const std::size_t none = m_triangles.size(), n = m_points.size();
     auto key = [](std::size_t a, std::size_t b) { return Key(std::minmax(a, b)); };
     auto add = [&](std::size_t t, std::size_t a, std::size_t b)
     {
       if((a + 1) % n == b || (b + 1) % n == a)
         return; // a side of the polygon
-      auto& entry = triangles_at.emplace(key(a, b), std::array<std::size_t, 2>{{ none, none }}).first->second;
+      auto& entry = triangles_at.emplace(key(a, b), std::array<std::size_t, 2>{ { none, none } }).first->second;
       entry[entry[0] == none ? 0 : 1] = t;
     };
     auto remove = [&](std::size_t t, std::size_t a, std::size_t b)
@@ -203,8 +203,8 @@ private:
       triangles_at.erase(found);
       remove(s, b, c);
       remove(t, a, d);
-      m_triangles[s] = {{ c, a, d }};
-      m_triangles[t] = {{ c, d, b }};
+      m_triangles[s] = { { c, a, d } };
+      m_triangles[t] = { { c, d, b } };
       triangles_at.erase(key(c, d));
       add(s, a, d);
       add(s, c, d);

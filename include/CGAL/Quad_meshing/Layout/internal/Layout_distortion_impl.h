@@ -39,7 +39,7 @@ struct Layout_distortion::Form
     number_unknowns(rules, is_fixed);
     const int n = m_number_of_unknowns, arcs = static_cast<int>(complex.arcs.size());
     m_form = Eigen::MatrixXd::Zero(arcs, arcs);
-    std::vector<Eigen::Triplet<double> > matrix, coupling;
+    std::vector<Eigen::Triplet<double>> matrix, coupling;
     for(int i = 0; i < n; ++i)
       matrix.emplace_back(i, i, regularization);
     const Cell_matrix cell = cell_matrix();
@@ -92,7 +92,8 @@ struct Layout_distortion::Form
 private:
   typedef Eigen::Matrix<double, 8, 8> Cell_matrix;
 
-  // The energy of the displacements of the corners of a square, x and y of corner 0, then of corner 1, ..: mean over the corners.
+  // The energy of the displacements of the corners of a square, x and y of corner 0, then of corner 1, ..: mean over
+  // the corners.
   static Cell_matrix cell_matrix()
   {
     typedef Eigen::Matrix<double, 8, 1> Row;
@@ -108,7 +109,8 @@ private:
         r[2 * from + coordinate] -= 1;
         return r;
       };
-      const Row a = difference(x0, x1, 0), c = difference(x0, x1, 1), b = difference(y0, y1, 0), d = difference(y0, y1, 1);
+      const Row a = difference(x0, x1, 0), c = difference(x0, x1, 1), b = difference(y0, y1, 0),
+                d = difference(y0, y1, 1);
       auto add_square = [&](const Row& r, double weight) { sum += weight / 4 * r * r.transpose(); };
       add_square(b + c, 1);
       add_square(a - d, stretch_weight);
@@ -121,7 +123,7 @@ private:
   // The equations that opposite sides have the same length.
   void find_sides()
   {
-    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<Eigen::Triplet<double>> entries;
     int row = 0;
     for(const Motorcycle_complex::Patch& p : m_complex.patches)
       for(int k = 0; k < 2; ++k, ++row)
@@ -143,7 +145,7 @@ private:
   void number_unknowns(const Quad_vertex_rules& rules, const std::vector<char>& is_fixed)
   {
     m_direction.assign(m.number_of_halfedges(), 0);
-    m_unknown.assign(m.number_of_vertices(), {{ -1, -1 }});
+    m_unknown.assign(m.number_of_vertices(), { { -1, -1 } });
     m_number_of_unknowns = 0;
     for(int v = 0; v < m.number_of_vertices(); ++v)
     {
@@ -179,10 +181,10 @@ private:
   }
 
   // What is done in one rectangle.
-  void add(const Motorcycle_complex::Patch& p, const Cell_matrix& cell, std::vector<Eigen::Triplet<double> >& matrix,
-           std::vector<Eigen::Triplet<double> >& coupling)
+  void add(const Motorcycle_complex::Patch& p, const Cell_matrix& cell, std::vector<Eigen::Triplet<double>>& matrix,
+           std::vector<Eigen::Triplet<double>>& coupling)
   {
-    std::array<int, 5> first = {{ 0, 0, 0, 0, 0 }};
+    std::array<int, 5> first = { { 0, 0, 0, 0, 0 } };
     std::vector<int> arcs;
     for(int k = 0; k < 4; ++k)
     {
@@ -217,7 +219,7 @@ private:
       return result;
     };
 
-    std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic> > below(w + 1), above(w + 1);
+    std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> below(w + 1), above(w + 1);
     for(int i = 0; i <= w; ++i)
       above[i] = displacement(i, 0);
     Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n), corners(8, n), forces(8, n);
@@ -264,23 +266,23 @@ private:
 
   const Indexed_quad_mesh& m;
   const Motorcycle_complex& m_complex;
-  std::vector<int> m_direction;                   // per halfedge: its direction in the frame of its source
-  std::vector<std::array<int, 2> > m_unknown;     // per vertex: x and y, -1 where it cannot move
+  std::vector<int> m_direction;              // per halfedge: its direction in the frame of its source
+  std::vector<std::array<int, 2>> m_unknown; // per vertex: x and y, -1 where it cannot move
   int m_number_of_unknowns = 0;
   Eigen::MatrixXd m_form;
-  Eigen::VectorXd m_form_of_input;                // its product with the lengths of the input
-  double m_distortion_of_nothing = 0;             // when all arcs have the length 0
-  Eigen::SparseMatrix<double> m_sides;                // the differences of the lengths of opposite sides
-  Sparse_cholesky<double> m_solver;                  // of its square
+  Eigen::VectorXd m_form_of_input;     // its product with the lengths of the input
+  double m_distortion_of_nothing = 0;  // when all arcs have the length 0
+  Eigen::SparseMatrix<double> m_sides; // the differences of the lengths of opposite sides
+  Sparse_cholesky<double> m_solver;    // of its square
 };
-
 
 CGAL_QUAD_MESHING_INLINE
 Layout_distortion::Layout_distortion(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex,
                                      const Quad_vertex_rules& rules, const std::vector<char>& is_fixed,
                                      Any_visitor& visitor)
   : m_form(new Form(mesh, complex, rules, is_fixed, visitor))
-{}
+{
+}
 
 CGAL_QUAD_MESHING_INLINE Layout_distortion::Layout_distortion(Layout_distortion&& other) = default;
 

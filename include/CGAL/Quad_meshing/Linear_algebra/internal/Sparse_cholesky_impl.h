@@ -46,15 +46,14 @@ struct Single_thread_scope
 };
 
 template <typename Number>
-Eigen::Map<const Eigen::SparseMatrix<Number> > map_of(const Sparse_matrix_view<Number>& A)
+Eigen::Map<const Eigen::SparseMatrix<Number>> map_of(const Sparse_matrix_view<Number>& A)
 {
   return { A.rows, A.columns, A.entries(), A.column_begin, A.row, A.value };
 }
 
 // CHOLMOD or Eigen at work in a `Sparse_cholesky`.
 template <typename Number>
-class Default_cholesky_implementation
-  : public Sparse_cholesky_implementation<Number>
+class Default_cholesky_implementation : public Sparse_cholesky_implementation<Number>
 {
   typedef Sparse_cholesky_implementation<Number> Base;
   typedef Eigen::SparseMatrix<Number> Matrix;
@@ -105,11 +104,11 @@ public:
     Eigen::Map<Dense_matrix>(result, B.columns, B.columns) = Supernodal_product<Number>(factor, copy).run();
   }
 
-  std::unique_ptr<Cholesky_factor<Number> > factor() const override
+  std::unique_ptr<Cholesky_factor<Number>> factor() const override
   {
     Supernodal_factor<Number> blocks;
     view_factor(blocks);
-    return std::make_unique<Cholesky_factor<Number> >(blocks.columns());
+    return std::make_unique<Cholesky_factor<Number>>(blocks.columns());
   }
 
 private:
@@ -205,8 +204,9 @@ private:
 
 template <typename Number>
 CGAL_QUAD_MESHING_INLINE Sparse_cholesky<Number>::Sparse_cholesky()
-  : m_implementation(std::make_unique<internal::Default_cholesky_implementation<Number> >())
-{}
+  : m_implementation(std::make_unique<internal::Default_cholesky_implementation<Number>>())
+{
+}
 
 template <typename Number>
 CGAL_QUAD_MESHING_INLINE bool Sparse_cholesky<Number>::compute_semidefinite(const View& A)

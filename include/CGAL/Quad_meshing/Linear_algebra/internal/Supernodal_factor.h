@@ -47,8 +47,8 @@ struct Supernodal_factor
     for(int j = 1; j <= n; ++j)
     {
       // Column j goes on with the pattern of column j - 1 without its diagonal.
-      const bool continues = j < n && end[j - 1] - begin[j - 1] == end[j] - begin[j] + 1
-                             && indices[begin[j - 1] + 1] == j;
+      const bool continues =
+        j < n && end[j - 1] - begin[j - 1] == end[j] - begin[j] + 1 && indices[begin[j - 1] + 1] == j;
       if(!continues)
         super.push_back(j);
     }
@@ -109,9 +109,7 @@ class Supernodal_product
   typedef Eigen::Map<const Dense_matrix> Block;
 
 public:
-  Supernodal_product(const Supernodal_factor<Number>& factor, const Matrix& B)
-    : m_factor(factor), m_B(B)
-  {}
+  Supernodal_product(const Supernodal_factor<Number>& factor, const Matrix& B) : m_factor(factor), m_B(B) {}
 
   Dense_matrix run()
   {
@@ -216,8 +214,8 @@ private:
   const Supernodal_factor<Number>& m_factor;
   const Matrix& m_B;
   std::vector<int> m_supernode_of;
-  std::vector<std::vector<int> > m_columns; // of B that reach a supernode, ascending
-  std::vector<Dense_matrix> m_values;    // the rows of Y of a supernode, for these columns
+  std::vector<std::vector<int>> m_columns; // of B that reach a supernode, ascending
+  std::vector<Dense_matrix> m_values;      // the rows of Y of a supernode, for these columns
   Dense_matrix m_gram, m_update;
   std::vector<int> m_positions;
 };

@@ -38,7 +38,7 @@ struct Bounded_problem
   // form'y <= rhs
   struct Row
   {
-    std::vector<std::pair<int, Rational> > form;
+    std::vector<std::pair<int, Rational>> form;
     Rational rhs;
     bool is_integral; // integers times integer variables
   };
@@ -50,7 +50,7 @@ struct Bounded_problem
   Eigen::VectorXd h;
   Eigen::VectorXd lower, upper;
   std::vector<Rational> exact_lower, exact_upper; // where there are bounds
-  bool is_infeasible = false; // a bound or constraint on a constant is violated
+  bool is_infeasible = false;                     // a bound or constraint on a constant is violated
 
   int size() const { return static_cast<int>(kept.size()); }
 
@@ -154,7 +154,8 @@ class Bounded_problem_builder
 public:
   Bounded_problem_builder(const Mixed_integer_problem& problem, const Eliminated_constraints& constraints)
     : m_problem(problem), m_constraints(constraints)
-  {}
+  {
+  }
 
   Bounded_problem run()
   {

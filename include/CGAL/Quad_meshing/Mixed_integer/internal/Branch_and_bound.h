@@ -34,9 +34,9 @@ namespace internal {
 struct Search_result
 {
   bool is_found = false;
-  bool is_complete = false;    // the tree was searched to its end, up to the gap asked for
-  bool rests_on_box = false;   // on bounds that stand in for missing ones: without them there may be something better
-  bool is_uncertain = false;   // a part of the search was given up for want of accuracy
+  bool is_complete = false;  // the tree was searched to its end, up to the gap asked for
+  bool rests_on_box = false; // on bounds that stand in for missing ones: without them there may be something better
+  bool is_uncertain = false; // a part of the search was given up for want of accuracy
   Eigen::VectorXd y;
   double energy = std::numeric_limits<double>::infinity();
   double lower_bound = -std::numeric_limits<double>::infinity();
@@ -63,9 +63,9 @@ class Pseudo_costs
 public:
   // `initial` is a guess for each variable.
   explicit Pseudo_costs(const Eigen::VectorXd& initial)
-    : m_sum{ initial, initial }
-    , m_count{ Eigen::VectorXd::Ones(initial.size()), Eigen::VectorXd::Ones(initial.size()) }
-  {}
+    : m_sum{ initial, initial }, m_count{ Eigen::VectorXd::Ones(initial.size()), Eigen::VectorXd::Ones(initial.size()) }
+  {
+  }
 
   void learn(int variable, int direction, double change, double gain)
   {
@@ -137,7 +137,8 @@ public:
     , m_options(options)
     , m_go_further(go_further)
     , m_pseudo_costs(quadratic.step_costs())
-  {}
+  {
+  }
 
   // The least energy without integer conditions: infinite if the constraints contradict each other, minus infinity if
   // it is not known.
@@ -189,7 +190,7 @@ public:
 
 private:
   // Ascending: the first is taken next. The number keeps the order of nodes that are otherwise equal.
-  typedef std::tuple<double, long, std::shared_ptr<Node> > Entry;
+  typedef std::tuple<double, long, std::shared_ptr<Node>> Entry;
 
   static constexpr double integer_tolerance = 1e-6;
 
@@ -197,14 +198,11 @@ private:
   {
     const double epsilon = 1e-10, round_off = 1e-12;
     return m_result.is_found &&
-           m_result.energy - bound <= m_options.relative_gap_tolerance * (std::fabs(m_result.energy) + epsilon)
-                                      + round_off * m_quadratic.magnitude();
+           m_result.energy - bound <= m_options.relative_gap_tolerance * (std::fabs(m_result.energy) + epsilon) +
+                                        round_off * m_quadratic.magnitude();
   }
 
-  double lower_bound() const
-  {
-    return m_bounds.empty() ? std::numeric_limits<double>::infinity() : *m_bounds.begin();
-  }
+  double lower_bound() const { return m_bounds.empty() ? std::numeric_limits<double>::infinity() : *m_bounds.begin(); }
 
   // Solves the relaxation of a subproblem.
   Convex_quadratic::Minimum relax(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)
@@ -229,7 +227,7 @@ private:
     node->upper = upper;
     node->depth = parent.depth + 1;
     node->variable =
-        branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
+      branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
     if(node->variable >= 0)
     {
       node->split = std::floor(node->y[node->variable]);
@@ -254,7 +252,7 @@ private:
       {
         const double below = node->y[i] - std::floor(node->y[i]);
         node->estimate +=
-            (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
+          (std::min)(below * m_pseudo_costs.estimate(i, 0), (1. - below) * m_pseudo_costs.estimate(i, 1));
       }
     double key = node->energy;
     if(m_options.subproblem_selection == Subproblem_selection::DEPTH_FIRST)
@@ -346,7 +344,7 @@ private:
   std::set<Entry> m_queue;
   std::multiset<double> m_bounds; // of the queued subproblems
   double m_fathomed_bound = std::numeric_limits<double>::infinity();
-  bool m_is_uncertain = false;    // a subproblem was given up for want of accuracy
+  bool m_is_uncertain = false; // a subproblem was given up for want of accuracy
   long m_number = 0;
 };
 

@@ -67,7 +67,8 @@ public:
     , m_cut_rounds(cut_rounds)
     , m_go_further(go_further)
     , m_pseudo_costs(Eigen::VectorXd::Ones(master.problem().size()))
-  {}
+  {
+  }
 
   // Minimizes the objective. `incumbent` is a feasible point to start with; it may be empty.
   Search_result run(const Eigen::VectorXd& incumbent, double incumbent_energy)
@@ -76,13 +77,10 @@ public:
   }
 
   // Solves a mixed-integer linear program over the variables of the problem, and eta if there is one, as it stands.
-  Search_result run(const Exact_dual_simplex& program)
-  {
-    return search(program, true, Eigen::VectorXd(), 0.);
-  }
+  Search_result run(const Exact_dual_simplex& program) { return search(program, true, Eigen::VectorXd(), 0.); }
 
 private:
-  typedef std::tuple<double, long, std::shared_ptr<Node> > Entry;
+  typedef std::tuple<double, long, std::shared_ptr<Node>> Entry;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   // Of coordinates that come from quadratic programs; those of linear ones are exact.
@@ -120,8 +118,8 @@ private:
     }
     m_result.is_complete = !m_is_stopped && !m_result.is_uncertain;
     const double open = m_bounds.empty() ? infinity : *m_bounds.begin();
-    m_result.lower_bound = m_is_stopped && m_bounds.empty() ? -infinity
-                                                            : (std::min)({ open, m_fathomed_bound, m_result.energy });
+    m_result.lower_bound =
+      m_is_stopped && m_bounds.empty() ? -infinity : (std::min)({ open, m_fathomed_bound, m_result.energy });
     m_result.bound_in_box = m_result.lower_bound;
     if(m_result.rests_on_box || m_result.is_uncertain)
       m_result.lower_bound = -infinity;
@@ -131,11 +129,10 @@ private:
   bool gap_closed(double bound) const
   {
     const double epsilon = 1e-10, round_off = 1e-9, absolute_round_off = 1e-12;
-    return m_result.is_found &&
-           m_result.energy - bound <=
-               (std::max)(m_options.relative_gap_tolerance, m_master.is_linear() ? 0. : round_off) *
-                       (std::fabs(m_result.energy) + epsilon) +
-                   (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
+    return m_result.is_found && m_result.energy - bound <=
+                                  (std::max)(m_options.relative_gap_tolerance, m_master.is_linear() ? 0. : round_off) *
+                                      (std::fabs(m_result.energy) + epsilon) +
+                                    (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
   }
 
   int variable_of(const Eigen::VectorXd& y, double tolerance) const
@@ -417,9 +414,9 @@ inline Search_result outer_approximation(const Linear_master& master, const Solv
     }
     if(!linear.is_complete || !go_further())
       return result;
-    if(result.is_found && result.energy - (std::max)(result.lower_bound, linear.bound_in_box)
-         <= (std::max)(options.relative_gap_tolerance * std::fabs(result.energy),
-                       tolerance * (1. + std::fabs(result.energy))))
+    if(result.is_found && result.energy - (std::max)(result.lower_bound, linear.bound_in_box) <=
+                            (std::max)(options.relative_gap_tolerance * std::fabs(result.energy),
+                                       tolerance * (1. + std::fabs(result.energy))))
     {
       result.is_complete = true;
       return result;

@@ -34,9 +34,7 @@ public:
 
   Condensed_solver(const Sparse_cholesky<double>& linear_solver, const Reduced_problem& problem, double tolerance,
                    int gauss_seidel_iterations, int conjugate_gradient_iterations)
-    : m_problem(problem)
-    , m_leaf(problem.size(), -1)
-    , m_core(problem.size(), -1)
+    : m_problem(problem), m_leaf(problem.size(), -1), m_core(problem.size(), -1)
   {
     find_leaves();
     m_solver.reset(new Solver(linear_solver, core_matrix(), core_rhs(), tolerance, gauss_seidel_iterations,
@@ -113,7 +111,7 @@ private:
   {
     double diagonal = 0., value = 0.;
     int degree = 0;
-    int neighbor[2];        // core variables
+    int neighbor[2]; // core variables
     double coefficient[2];
     bool is_fixed = false;
   };
@@ -174,7 +172,7 @@ private:
   Eigen::SparseMatrix<double> core_matrix() const
   {
     const int n = static_cast<int>(m_variable.size());
-    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(m_problem.A.nonZeros());
     for(int c = 0; c < n; ++c)
       for(Eigen::SparseMatrix<double>::InnerIterator it(m_problem.A, m_variable[c]); it; ++it)
@@ -206,7 +204,7 @@ private:
   const Reduced_problem& m_problem;
   std::vector<int> m_leaf, m_core; // per variable: its number among the leaves, or among the others
   std::vector<Leaf> m_leaves;
-  std::vector<int> m_variable;     // per core variable
+  std::vector<int> m_variable; // per core variable
   std::vector<char> m_is_integer_core;
   std::vector<int> m_first_leaf, m_leaves_of_core; // the leaves next to each core variable, as variables
   std::unique_ptr<Solver> m_solver;

@@ -100,15 +100,9 @@ private:
   // integer.
   static double tolerance_of(const Row& row) { return row.is_exact ? 0. : row.tolerance; }
 
-  void enqueue(int r)
-  {
-    m_queue.insert(place_of(r));
-  }
+  void enqueue(int r) { m_queue.insert(place_of(r)); }
 
-  void dequeue(int r)
-  {
-    m_queue.erase(place_of(r));
-  }
+  void dequeue(int r) { m_queue.erase(place_of(r)); }
 
   std::tuple<int, int, int> place_of(int r) const
   {
@@ -304,8 +298,8 @@ private:
         const NT minuend = factor * p->second, subtrahend = multiple * q->second;
         const NT value = minuend - subtrahend;
         const bool vanishes = stays_integral
-          ? Number::is_zero(value)
-          : std::fabs(Number::to_double(value)) <= noise * std::fabs(Number::to_double(minuend));
+                                ? Number::is_zero(value)
+                                : std::fabs(Number::to_double(value)) <= noise * std::fabs(Number::to_double(minuend));
         if(vanishes)
           m_columns[q->first].erase(i);
         else
@@ -350,10 +344,10 @@ private:
   double m_tolerance;
   Elimination_order m_order;
   bool m_is_safe;
-  std::vector<char> m_is_integer;        // originals, then the variables Euclid's algorithm made
+  std::vector<char> m_is_integer; // originals, then the variables Euclid's algorithm made
   std::vector<Row> m_rows;
-  std::vector<std::set<int> > m_columns; // open rows in which a variable occurs
-  std::set<std::tuple<int, int, int> > m_queue; // (rank, number of entries, row)
+  std::vector<std::set<int>> m_columns;        // open rows in which a variable occurs
+  std::set<std::tuple<int, int, int>> m_queue; // (rank, number of entries, row)
   std::vector<Step> m_steps;
 };
 

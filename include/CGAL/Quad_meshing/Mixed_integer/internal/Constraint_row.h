@@ -30,10 +30,10 @@ struct Constraint_row
 
   std::vector<Entry> entries; // ascending variables
   NT rhs;
-  NT scale;           // the row is the original one, modulo others, times this
-  double tolerance;   // for the right-hand side, in units of the original row
-  bool is_integral;   // the coefficients are integers
-  bool is_exact;      // so is the right-hand side, and that of all rows that came in
+  NT scale;         // the row is the original one, modulo others, times this
+  double tolerance; // for the right-hand side, in units of the original row
+  bool is_integral; // the coefficients are integers
+  bool is_exact;    // so is the right-hand side, and that of all rows that came in
   bool is_open;
 
   // Rows of integers, or of multiples of integers, are scaled to integers without a common divisor. In a row over
@@ -80,9 +80,9 @@ struct Integral_factor
   bool is_exact = false; // the products are integers as they stand, and not only up to round-off
 };
 
-inline Integral_factor integral_factor(const std::vector<std::pair<int, double> >& form)
+inline Integral_factor integral_factor(const std::vector<std::pair<int, double>>& form)
 {
-  const double largest_exact = 9007199254740992.;           // 2^53: all smaller integers are doubles
+  const double largest_exact = 9007199254740992.;             // 2^53: all smaller integers are doubles
   const double relative_error = 1e-12, largest_rounded = 1e6; // of fractions that doubles hold only up to round-off
   const int max_denominator = 1000;
   double smallest = 0., largest = 0.;
@@ -148,7 +148,7 @@ Constraint_row<NT>::Constraint_row(const Mixed_integer_problem::Linear_constrain
   const double scaling = is_integral ? factor : (largest > 0. ? 1. / largest : 1.);
   scale = NT(scaling);
   rhs = NT(constraint.rhs) * scale;
-  tolerance = relative_tolerance * (std::max)({1., largest, std::fabs(constraint.rhs)});
+  tolerance = relative_tolerance * (std::max)({ 1., largest, std::fabs(constraint.rhs) });
   for(const std::pair<int, double>& a : form)
   {
     if(a.second == 0.)

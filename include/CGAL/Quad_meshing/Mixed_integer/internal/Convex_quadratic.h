@@ -38,11 +38,7 @@ class Convex_quadratic
 public:
   Convex_quadratic(const Eigen::MatrixXd& S, const Eigen::VectorXd& c, double constant,
                    const Eigen::VectorXd& reference)
-      : m_S(S)
-      , m_c(c)
-      , m_constant(constant)
-      , m_reference(reference)
-      , m_scale(scale_of(S, reference))
+    : m_S(S), m_c(c), m_constant(constant), m_reference(reference), m_scale(scale_of(S, reference))
   {
     const int n = static_cast<int>(S.rows());
     const double flat_eigenvalue = 1e-11; // relative to one; what a Schur complement leaves of zeros is smaller
@@ -79,7 +75,9 @@ public:
     Eigen::VectorXd scale(S.rows());
     for(int i = 0; i < scale.size(); ++i)
       scale[i] = S(i, i) > round_off * reference[i] ? std::sqrt(S(i, i))
-                 : reference[i] > 0. ? std::sqrt(reference[i]) : largest > 0. ? std::sqrt(largest) : 1.;
+                 : reference[i] > 0.                ? std::sqrt(reference[i])
+                 : largest > 0.                     ? std::sqrt(largest)
+                                                    : 1.;
     return scale;
   }
 
@@ -127,8 +125,8 @@ public:
   {
     return (m_scale.cwiseInverse().asDiagonal() * m_eigenvectors *
             m_eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal())
-        .rowwise()
-        .squaredNorm();
+      .rowwise()
+      .squaredNorm();
   }
 
   // A solution for S x = b, up to the flat directions.
@@ -182,7 +180,7 @@ public:
         return result;
       const Eigen::VectorXd next = m_eigenvectors.leftCols(m_flat).transpose() * (m_scale.asDiagonal() * result.y);
       result.is_exact =
-          (next - previous).lpNorm<Eigen::Infinity>() <= converged * (1. + next.lpNorm<Eigen::Infinity>());
+        (next - previous).lpNorm<Eigen::Infinity>() <= converged * (1. + next.lpNorm<Eigen::Infinity>());
       previous = next;
     }
     result.energy = energy(result.y);
@@ -210,11 +208,11 @@ private:
   Eigen::VectorXd m_scale;       // D
   Eigen::VectorXd m_eigenvalues; // of D^-1 S D^-1, ascending
   Eigen::MatrixXd m_eigenvectors;
-  Eigen::VectorXd m_slope;       // D^-1 c in the basis of eigenvectors
-  int m_flat = 0;                // the number of flat directions
+  Eigen::VectorXd m_slope; // D^-1 c in the basis of eigenvectors
+  int m_flat = 0;          // the number of flat directions
   bool m_is_convex = false, m_has_slope = false;
   double m_proximity = 0.;
-  Eigen::MatrixXd m_J;           // J J' is the inverse of S, with delta in the flat directions
+  Eigen::MatrixXd m_J; // J J' is the inverse of S, with delta in the flat directions
   Eigen::VectorXd m_center, m_center_gradient;
   double m_center_energy = 0.;
 };

@@ -34,12 +34,9 @@ class Dense_lattice_rounding
 public:
   Dense_lattice_rounding(const Eigen::MatrixXd& S, const Eigen::VectorXd& target, double maximum_nodes,
                          int bound_rounds, const std::function<bool()>& go_further)
-      : m_S(S)
-      , m_target(target)
-      , m_maximum_nodes(maximum_nodes)
-      , m_bound_rounds(bound_rounds)
-      , m_go_further(go_further)
-  {}
+    : m_S(S), m_target(target), m_maximum_nodes(maximum_nodes), m_bound_rounds(bound_rounds), m_go_further(go_further)
+  {
+  }
 
   // `start` is an integer point to beat.
   Lattice_result run(const Eigen::VectorXd& start)
@@ -69,11 +66,11 @@ private:
   };
 
   // Integers are coupled if the energy of one knows of the other by more than round-off.
-  std::vector<std::vector<int> > components() const
+  std::vector<std::vector<int>> components() const
   {
     const double round_off = 1e-13;
     const int m = static_cast<int>(m_target.size());
-    std::vector<std::vector<int> > result;
+    std::vector<std::vector<int>> result;
     std::vector<char> is_seen(m, 0);
     for(int seed = 0; seed < m; ++seed)
     {
@@ -94,10 +91,7 @@ private:
     return result;
   }
 
-  double coupling(int i, int j) const
-  {
-    return std::fabs(m_S(i, j)) / std::sqrt(m_S(i, i) * m_S(j, j));
-  }
+  double coupling(int i, int j) const { return std::fabs(m_S(i, j)) / std::sqrt(m_S(i, i) * m_S(j, j)); }
 
   Eigen::MatrixXd block_of(const std::vector<int>& indices) const
   {
@@ -139,7 +133,7 @@ private:
       result.cost = cost(S, result.y - target);
     }
     const double bound =
-        0.5 * Lattice_bound(reduced, reduced_target, 2 * result.cost).run(m_bound_rounds, m_go_further);
+      0.5 * Lattice_bound(reduced, reduced_target, 2 * result.cost).run(m_bound_rounds, m_go_further);
     result.cost_bound = (std::min)(result.cost, (std::max)(result.cost_bound, bound));
     return result;
   }
@@ -201,7 +195,7 @@ private:
   static std::vector<int> block_around(const Eigen::MatrixXd& S, int seed)
   {
     const int m = static_cast<int>(S.rows());
-    std::vector<std::pair<double, int> > order(m);
+    std::vector<std::pair<double, int>> order(m);
     for(int j = 0; j < m; ++j)
       order[j] = std::make_pair(-std::fabs(S(seed, j)) / std::sqrt(S(seed, seed) * S(j, j)), j);
     const int count = (std::min)(static_cast<int>(block_size), m);

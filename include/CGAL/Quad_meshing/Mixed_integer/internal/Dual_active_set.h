@@ -37,7 +37,8 @@ public:
   // J is L^-T for S = LL'.
   Dual_active_set(const Eigen::MatrixXd& J, const Eigen::VectorXd& target)
     : m_inverse_factor(J), m_target(target), m_size(static_cast<int>(target.size()))
-  {}
+  {
+  }
 
   // Returns false if the constraints contradict each other. The cost is that over the unconstrained minimum.
   bool solve(const std::vector<Constraint>& constraints, Eigen::VectorXd& y, double& cost)
@@ -79,8 +80,8 @@ private:
       if(is_active[i])
         continue;
       const double largest = constraints[i].a.cwiseProduct(y).lpNorm<Eigen::Infinity>();
-      const double slack = (constraints[i].a.dot(y) - constraints[i].b)
-                           / (std::max)({ 1., std::fabs(constraints[i].b), largest });
+      const double slack =
+        (constraints[i].a.dot(y) - constraints[i].b) / (std::max)({ 1., std::fabs(constraints[i].b), largest });
       if(slack < least)
       {
         least = slack;
@@ -105,8 +106,8 @@ private:
     }
   }
 
-  bool activate(const std::vector<Constraint>& constraints, int p, std::vector<char>& is_active,
-                Eigen::VectorXd& y, double& cost)
+  bool activate(const std::vector<Constraint>& constraints, int p, std::vector<char>& is_active, Eigen::VectorXd& y,
+                double& cost)
   {
     const double infinity = std::numeric_limits<double>::infinity();
     const Eigen::VectorXd& a = constraints[p].a;

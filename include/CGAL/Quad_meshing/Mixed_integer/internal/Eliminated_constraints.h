@@ -31,12 +31,12 @@ struct Eliminated_constraints
   bool is_identity = true; // T is the identity and t is zero
 
   // The rows of T and the entries of t without rounding, if the elimination was exact.
-  typedef std::vector<std::pair<int, CGAL::Exact_rational> > Exact_row;
+  typedef std::vector<std::pair<int, CGAL::Exact_rational>> Exact_row;
   std::vector<Exact_row> exact_T;
   std::vector<CGAL::Exact_rational> exact_t;
 };
 
-inline void store_exactly(double, const std::vector<std::pair<int, double> >&, Eliminated_constraints&) {}
+inline void store_exactly(double, const std::vector<std::pair<int, double>>&, Eliminated_constraints&) {}
 inline void store_exactly(const CGAL::Exact_rational& offset, const Eliminated_constraints::Exact_row& row,
                           Eliminated_constraints& result)
 {
@@ -58,7 +58,7 @@ struct Elimination_step
 // Expresses the first `size` variables by the free ones, last step first. Returns false if an integer coefficient
 // outgrew the number type.
 template <typename NT>
-bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std::vector<char>& is_integer, int size,
+bool substitute_back(const std::vector<Elimination_step<NT>>& steps, const std::vector<char>& is_integer, int size,
                      Eliminated_constraints& result)
 {
   typedef Elimination_number<NT> Number;
@@ -78,7 +78,7 @@ bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std:
     }
   const int m = static_cast<int>(result.is_integer.size());
 
-  std::vector<std::vector<Entry> > expression(steps.size());
+  std::vector<std::vector<Entry>> expression(steps.size());
   std::vector<NT> offset(steps.size(), NT(0));
   std::vector<NT> accumulator(m, NT(0));
   std::vector<char> is_touched(m, 0);
@@ -126,7 +126,7 @@ bool substitute_back(const std::vector<Elimination_step<NT> >& steps, const std:
     touched.clear();
   }
 
-  std::vector<Eigen::Triplet<double> > triplets;
+  std::vector<Eigen::Triplet<double>> triplets;
   result.t = Eigen::VectorXd::Zero(size);
   for(int v = 0; v < size; ++v)
   {

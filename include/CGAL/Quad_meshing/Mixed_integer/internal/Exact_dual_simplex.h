@@ -134,7 +134,7 @@ public:
       {
         // The row proves that there is no point.
         m_rests_on_artificial_bounds =
-            m_slacks[leaving].is_artificial || uses_artificial_columns(m_slacks[leaving].row.row);
+          m_slacks[leaving].is_artificial || uses_artificial_columns(m_slacks[leaving].row.row);
         return false;
       }
       pivot(leaving, entering);
@@ -145,10 +145,7 @@ public:
   bool rests_on_artificial_bounds() const { return m_rests_on_artificial_bounds; }
 
   const Rational& objective() const { return m_values[0].first; }
-  Rational value(int i) const
-  {
-    return m_sign[i] > 0 ? m_values[i + 1].first : Rational(-m_values[i + 1].first);
-  }
+  Rational value(int i) const { return m_sign[i] > 0 ? m_values[i + 1].first : Rational(-m_values[i + 1].first); }
 
   // Adds the cut of the first integer variable that has no integer value, or of the objective if it must be an
   // integer: Gomory's fractional cut, whose slack is an integer, if all nonbasic variables are integers, else the

@@ -38,7 +38,8 @@ public:
   // Equality constraints that are listed in `ignored`, which ascends, do not count.
   Exact_verification(const Mixed_integer_problem& problem, const std::vector<int>& ignored, double constraint_tolerance)
     : m_problem(problem), m_ignored(ignored), m_tolerance(constraint_tolerance)
-  {}
+  {
+  }
 
   // Returns what is wrong, nothing if all is well.
   std::string complaint(const Eigen::VectorXd& x) const
@@ -131,7 +132,7 @@ private:
       Rational exact = -Rational(c.rhs) * Rational(f.factor);
       for(const std::pair<int, double>& a : form)
         exact +=
-            Rational(f.is_exact ? a.second * f.factor : std::floor(a.second * f.factor + 0.5)) * Rational(x[a.first]);
+          Rational(f.is_exact ? a.second * f.factor : std::floor(a.second * f.factor + 0.5)) * Rational(x[a.first]);
       if(is_equality || !f.is_exact)
         return is_close(CGAL::to_double(exact)) || (!is_equality && CGAL::is_negative(exact));
       return !CGAL::is_positive(exact);
@@ -140,7 +141,7 @@ private:
     for(const std::pair<int, double>& a : c.form)
       largest = (std::max)(largest, std::fabs(a.second));
     const double allowed =
-        (std::max)(round_off * (std::max)(1., magnitude(c, x)), is_equality ? m_tolerance * largest : 0.);
+      (std::max)(round_off * (std::max)(1., magnitude(c, x)), is_equality ? m_tolerance * largest : 0.);
     return is_equality ? std::fabs(sum) <= allowed : sum <= allowed;
   }
 

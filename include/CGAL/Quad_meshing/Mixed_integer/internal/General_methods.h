@@ -63,7 +63,8 @@ public:
     , m_go_further([&limits] { return limits.go_further(); })
     , m_bounded(Bounded_problem_builder(problem, constraints).run())
     , m_schur(linear_solver)
-  {}
+  {
+  }
 
   Outcome run()
   {
@@ -147,8 +148,9 @@ private:
     remove_idle_integers(c, directions);
     const Eigen::VectorXd active_c = subvector(c, m_active);
 
-    const Search_result result = run_in_boxes([&](const Rational& box)
-    {
+    const Search_result result = run_in_boxes(
+      [&](const Rational& box)
+      {
       const Linear_master master(m_bounded, active_c, m_reduced.constant, box);
       Exact_dual_simplex relaxation = master.make_program();
       if(relaxation.solve(m_go_further) && !relaxation.rests_on_artificial_bounds())
@@ -172,8 +174,9 @@ private:
   Outcome look_for_any_point()
   {
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(m_bounded.size());
-    const Search_result result = run_in_boxes([&](const Rational& box)
-    {
+    const Search_result result = run_in_boxes(
+      [&](const Rational& box)
+      {
       const Linear_master master(m_bounded, nothing, 0., box);
       Search_result found = Branch_and_cut(master, m_options, cut_rounds, m_go_further).run(Eigen::VectorXd(), 0.);
       found.rests_on_box = found.rests_on_box && !found.is_found;
@@ -204,9 +207,10 @@ private:
     if(!quadratic.is_convex())
       return failure(Mixed_integer_status::NUMERICAL_FAILURE,
                      "A factorization failed: the energy is not convex where the constraints hold.");
-    const Flat_directions directions = quadratic.is_definite()
-      ? Flat_directions(Eigen::MatrixXd(), Eigen::VectorXd())
-      : Flat_directions(quadratic.matrix(), Convex_quadratic::scale_of(quadratic.matrix(), reference));
+    const Flat_directions directions =
+      quadratic.is_definite()
+        ? Flat_directions(Eigen::MatrixXd(), Eigen::VectorXd())
+        : Flat_directions(quadratic.matrix(), Convex_quadratic::scale_of(quadratic.matrix(), reference));
     if(has_slope_in_reals() ||
        (quadratic.has_slope() && has_unbounded_ray(m_bounded, quadratic.linear_term(), directions)))
       return look_for_any_point();
@@ -296,8 +300,9 @@ private:
       m_solution.relaxed_energy = relaxed;
     if(m_options.method == Rounding_method::BRANCH_AND_BOUND)
       return branch_and_bound.run(incumbent, incumbent_energy);
-    return run_in_boxes([&](const Rational& box)
-    {
+    return run_in_boxes(
+      [&](const Rational& box)
+      {
       const Linear_master master(m_bounded, quadratic, radius, relaxed, box);
       if(m_options.method == Rounding_method::OUTER_APPROXIMATION)
         return outer_approximation(master, m_options, incumbent, incumbent_energy, m_go_further);
@@ -314,9 +319,9 @@ private:
                      "No point meets all constraints, bounds and integer conditions.");
     m_solution.lower_bound = result.lower_bound;
     if(!result.is_found)
-      return failure(Mixed_integer_status::LIMIT_REACHED, m_limits.is_out_of_time()
-        ? "The time limit was met before a feasible solution was found."
-        : "A limit was met before a feasible solution was found.");
+      return failure(Mixed_integer_status::LIMIT_REACHED,
+                     m_limits.is_out_of_time() ? "The time limit was met before a feasible solution was found."
+                                               : "A limit was met before a feasible solution was found.");
     Outcome outcome;
     outcome.is_found = true;
     outcome.is_proven = result.is_complete && m_options.relative_gap_tolerance <= proof_tolerance;

@@ -48,10 +48,11 @@ CGAL_QUAD_MESHING_INLINE Integer_energy::Integer_energy() = default;
 
 CGAL_QUAD_MESHING_INLINE Integer_energy::Integer_energy(const Sparse_cholesky<double>& linear_solver)
   : m_solver(linear_solver.make_another())
-{}
+{
+}
 
-CGAL_QUAD_MESHING_INLINE bool
-Integer_energy::factorize(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+CGAL_QUAD_MESHING_INLINE bool Integer_energy::factorize(const Matrix& A, const Eigen::VectorXd& b,
+                                                        const std::vector<bool>& is_integer)
 {
   CGAL_precondition(A.rows() == A.cols() && A.rows() == b.size());
   CGAL_precondition(A.rows() == static_cast<int>(is_integer.size()));
@@ -67,8 +68,8 @@ Integer_energy::factorize(const Matrix& A, const Eigen::VectorXd& b, const std::
   return internal::factorize_semidefinite(m_solver, internal::submatrix(m_A, m_reals, m_reals), m_factorizations);
 }
 
-CGAL_QUAD_MESHING_INLINE bool
-Integer_energy::reduce(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+CGAL_QUAD_MESHING_INLINE bool Integer_energy::reduce(const Matrix& A, const Eigen::VectorXd& b,
+                                                     const std::vector<bool>& is_integer)
 {
   if(!factorize(A, b, is_integer))
     return false;
@@ -81,8 +82,8 @@ Integer_energy::reduce(const Matrix& A, const Eigen::VectorXd& b, const std::vec
   return true;
 }
 
-CGAL_QUAD_MESHING_INLINE bool
-Integer_energy::compute(const Matrix& A, const Eigen::VectorXd& b, const std::vector<bool>& is_integer)
+CGAL_QUAD_MESHING_INLINE bool Integer_energy::compute(const Matrix& A, const Eigen::VectorXd& b,
+                                                      const std::vector<bool>& is_integer)
 {
   if(!reduce(A, b, is_integer))
     return false;

@@ -37,11 +37,12 @@ class Lattice_bound
 public:
   // R is upper triangular, best from a reduced basis. `squared_distance` is that of a known point, and not zero.
   Lattice_bound(const Eigen::MatrixXd& R, const Eigen::VectorXd& target, double squared_distance)
-      : m_R(R / std::sqrt(squared_distance))
-      , m_target(target)
-      , m_unit(squared_distance)
-      , m_size(static_cast<int>(target.size()))
-  {}
+    : m_R(R / std::sqrt(squared_distance))
+    , m_target(target)
+    , m_unit(squared_distance)
+    , m_size(static_cast<int>(target.size()))
+  {
+  }
 
   // Returns the bound, at least zero.
   double run(int rounds, const std::function<bool()>& go_further)
@@ -82,8 +83,8 @@ private:
     {
       if(floor != other.floor)
         return floor < other.floor;
-      return std::lexicographical_compare(normal.data(), normal.data() + normal.size(),
-                                          other.normal.data(), other.normal.data() + other.normal.size());
+      return std::lexicographical_compare(normal.data(), normal.data() + normal.size(), other.normal.data(),
+                                          other.normal.data() + other.normal.size());
     }
   };
 
@@ -119,7 +120,7 @@ private:
     // The inverse transpose is lower triangular; in reverse order it is upper triangular.
     const int m = static_cast<int>(R.rows());
     const Eigen::MatrixXd inverse =
-        R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(m, m)));
+      R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(m, m)));
     Lattice_reduction reduction(inverse.transpose().reverse());
     reduction.run(0, 0, []() { return true; }); // no blocks: LLL
     return reduction.transformation().colwise().reverse();
@@ -157,9 +158,7 @@ private:
     auto consider = [&](int i, int j, int sign)
     {
       auto square = [&](const Eigen::MatrixXd& form)
-      {
-        return sign == 0 ? form(i, i) : form(i, i) + form(j, j) + 2 * sign * form(i, j);
-      };
+      { return sign == 0 ? form(i, i) : form(i, i) + form(j, j) + 2 * sign * form(i, j); };
       const double variance = square(covariance), v = sign == 0 ? value[i] : value[i] + sign * value[j];
       if(variance > 0.25)
         return;
@@ -174,10 +173,9 @@ private:
         for(int sign : { -1, 1 })
           consider(i, j, sign);
     }
-    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
-    {
-      return std::tie(b.depth, a.i, a.j, a.sign) < std::tie(a.depth, b.i, b.j, b.sign);
-    });
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b)
+              { return std::tie(b.depth, a.i, a.j, a.sign) < std::tie(a.depth, b.i, b.j, b.sign); });
 
     std::set<Slab> known(m_slabs.begin(), m_slabs.end());
     int added = 0;

@@ -128,7 +128,7 @@ public:
 
     long long nodes = 0, next_question = question_interval;
     const long long limit =
-        maximum_nodes < 9e18 ? static_cast<long long>(maximum_nodes) : (std::numeric_limits<long long>::max)();
+      maximum_nodes < 9e18 ? static_cast<long long>(maximum_nodes) : (std::numeric_limits<long long>::max)();
     int k = m - 1;
     start_level(k, m_center[k]);
     for(;;)
@@ -191,7 +191,10 @@ public:
   double nodes() const { return m_nodes; }
 
 private:
-  enum { question_interval = 16384 };
+  enum
+  {
+    question_interval = 16384
+  };
 
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(i) * m_size + j; }
 

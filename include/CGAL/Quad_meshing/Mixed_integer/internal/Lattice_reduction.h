@@ -193,8 +193,8 @@ private:
 
   // Enumerates around the origin, which itself is excluded by looking only at vectors whose last non-zero
   // coefficient is positive: by the lattice point itself and not its opposite.
-  bool shortest_vector(int k, int size, double& squared_length, std::vector<double>& v,
-                       double maximum_nodes, const std::function<bool()>& go_further) const
+  bool shortest_vector(int k, int size, double& squared_length, std::vector<double>& v, double maximum_nodes,
+                       const std::function<bool()>& go_further) const
   {
     bool found = false;
     double nodes = 0.;
@@ -207,8 +207,8 @@ private:
         if(fixed >= squared_length || nodes >= maximum_nodes)
           break;
         const Eigen::MatrixXd front = m_R.block(k, k, last, last);
-        const Eigen::VectorXd center = front.triangularView<Eigen::Upper>().solve(
-          Eigen::VectorXd(-a * m_R.col(k + last).segment(k, last)));
+        const Eigen::VectorXd center =
+          front.triangularView<Eigen::Upper>().solve(Eigen::VectorXd(-a * m_R.col(k + last).segment(k, last)));
         Lattice_enumeration enumeration(front, center);
         double radius = squared_length - fixed;
         enumeration.run(radius, maximum_nodes - nodes, go_further);

@@ -27,8 +27,8 @@ namespace internal {
 struct Lattice_result
 {
   Eigen::VectorXd y;
-  double cost = 0.;             // 1/2 |R (y - y*)|^2
-  double cost_bound = 0.;       // no integer point costs less
+  double cost = 0.;       // 1/2 |R (y - y*)|^2
+  double cost_bound = 0.; // no integer point costs less
   bool is_optimal = false;
   double nodes = 0.;
 };
@@ -45,7 +45,8 @@ public:
   Lattice_rounding(const Eigen::MatrixXd& R, const Eigen::VectorXd& target, double maximum_nodes,
                    const std::function<bool()>& go_further)
     : m_R(R), m_target(target), m_maximum_nodes(maximum_nodes), m_go_further(go_further), m_reduction(R)
-  {}
+  {
+  }
 
   Lattice_result run(const Eigen::VectorXd& start, bool wants_bound)
   {
@@ -141,8 +142,8 @@ private:
     {
       const double left = nodes - enumeration.nodes();
       const bool is_last = is_within_reach(enumeration, left);
-      const double next = is_last ? m_radius
-        : radius_of_tree(enumeration, (std::min)(m_tree, share * left / m_correction));
+      const double next =
+        is_last ? m_radius : radius_of_tree(enumeration, (std::min)(m_tree, share * left / m_correction));
       const double expected = enumeration.expected_nodes(next);
       if(!is_last && !(expected > least_growth * enumeration.expected_nodes(m_bound)))
         return;

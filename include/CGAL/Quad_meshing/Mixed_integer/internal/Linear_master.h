@@ -36,19 +36,21 @@ public:
   // A linear objective. Missing bounds of variables are replaced by the artificial ones -`box` and `box`.
   Linear_master(const Bounded_problem& problem, const Eigen::VectorXd& c, double constant, const Rational& box)
     : m_problem(problem), m_linear(c), m_constant(constant), m_box(box)
-  {}
+  {
+  }
 
   // A quadratic objective. `radius` bounds the energy over its minimum of the points that matter, `least_energy` is a
   // lower bound.
   Linear_master(const Bounded_problem& problem, Convex_quadratic& quadratic, double radius, double least_energy,
                 const Rational& box)
-      : m_problem(problem)
-      , m_quadratic(&quadratic)
-      , m_constant(quadratic.constant())
-      , m_radius(radius)
-      , m_least_energy(least_energy)
-      , m_box(box)
-  {}
+    : m_problem(problem)
+    , m_quadratic(&quadratic)
+    , m_constant(quadratic.constant())
+    , m_radius(radius)
+    , m_least_energy(least_energy)
+    , m_box(box)
+  {
+  }
 
   bool is_linear() const { return m_quadratic == nullptr; }
   const Bounded_problem& problem() const { return m_problem; }
@@ -116,8 +118,8 @@ public:
     {
       objective.push_back(Rational(1));
       const bool is_bounded = m_least_energy > -std::numeric_limits<double>::infinity();
-      lower.push_back(is_bounded ? Bound{Rational(std::floor(m_least_energy) - 1.), false}
-                                 : Bound{-m_box * m_box, true});
+      lower.push_back(is_bounded ? Bound{ Rational(std::floor(m_least_energy) - 1.), false }
+                                 : Bound{ -m_box * m_box, true });
       upper.push_back(Bound{ lower.back().value + m_box * m_box, true });
       is_integer.push_back(0);
     }
@@ -149,7 +151,7 @@ public:
       const double base = m_quadratic->energy(m_quadratic->target());
       const double height = base - 0.5 * slope.dot(m_quadratic->solve(slope)) - slope.dot(m_quadratic->target());
       const double round_off =
-          relative_round_off * (m_quadratic->magnitude() + std::fabs(slope.dot(m_quadratic->target())));
+        relative_round_off * (m_quadratic->magnitude() + std::fabs(slope.dot(m_quadratic->target())));
       // eta >= height + slope'y, as slope'y - eta <= -height
       for(int i = 0; i < slope.size(); ++i)
         a.push_back(Rational(slope[i]));

@@ -44,7 +44,8 @@ public:
     , m_linear_solver(linear_solver)
     , m_limits(limits)
     , m_go_further([&limits] { return limits.go_further(); })
-  {}
+  {
+  }
 
   Mixed_integer_solution solve()
   {
@@ -72,9 +73,7 @@ public:
     {
       case Rounding_method::RELAXED: run_relaxed(); break;
       case Rounding_method::DIRECT: m_ran = direct_rounding(m_linear_solver, m_reduced, m_z, m_solution); break;
-      case Rounding_method::NAIVE:
-        m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits);
-        break;
+      case Rounding_method::NAIVE: m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits); break;
       case Rounding_method::GREEDY: run_greedy(); break;
       case Rounding_method::LATTICE: run_lattice(); break;
       default: return run_search();
@@ -207,8 +206,8 @@ private:
     const double nodes_per_second = 3e7;
     const double nodes = (std::min)(m_options.maximum_number_of_nodes, nodes_per_second * m_limits.seconds_left());
     m_is_limited_by_time = nodes < m_options.maximum_number_of_nodes;
-    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), nodes,
-                                   m_options.number_of_bound_rounds, m_go_further);
+    Dense_lattice_rounding lattice(schur.matrix(), schur.target(), nodes, m_options.number_of_bound_rounds,
+                                   m_go_further);
     const Lattice_result result = lattice.run(greedy);
     m_z = schur.complete(result.y);
     m_solution.nodes = result.nodes;
@@ -243,26 +242,26 @@ private:
 
     const double epsilon = 1e-10; // keeps the gap finite for zero energies
     const double bound = (std::isfinite(m_solution.relaxed_energy) && m_solution.conflicting_constraints.empty())
-      ? m_solution.relaxed_energy : -std::numeric_limits<double>::infinity();
+                           ? m_solution.relaxed_energy
+                           : -std::numeric_limits<double>::infinity();
     m_solution.lower_bound = (std::max)(m_solution.lower_bound, bound);
     if(m_is_proven || m_solution.lower_bound > m_solution.energy)
       m_solution.lower_bound = m_solution.energy;
-    m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound)
-                     / (std::fabs(m_solution.energy) + epsilon);
+    m_solution.gap = std::fabs(m_solution.energy - m_solution.lower_bound) / (std::fabs(m_solution.energy) + epsilon);
 
     const std::string complaint =
-        m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
-            ? std::string()
-            : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
-                  .complaint(m_solution.x);
+      m_options.method == Rounding_method::RELAXED || !m_solution.all_integers_satisfied
+        ? std::string()
+        : Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
+            .complaint(m_solution.x);
     if(!complaint.empty())
       return fail(Mixed_integer_status::NUMERICAL_FAILURE,
                   "The numbers are too large for the solution to meet " + complaint + " exactly.");
     if(!m_solution.conflicting_constraints.empty())
     {
       m_solution.status = Mixed_integer_status::CONFLICTING_CONSTRAINTS;
-      m_solution.message = std::to_string(m_solution.conflicting_constraints.size())
-        + " constraints contradict the others or the integer conditions and were ignored.";
+      m_solution.message = std::to_string(m_solution.conflicting_constraints.size()) +
+                           " constraints contradict the others or the integer conditions and were ignored.";
     }
     else if(m_options.method != Rounding_method::RELAXED && !m_solution.all_integers_satisfied)
     {
@@ -278,8 +277,8 @@ private:
     {
       m_solution.status = Mixed_integer_status::FEASIBLE;
       m_solution.message = m_limits.is_out_of_time() || m_is_limited_by_time
-          ? "All conditions hold; the time limit was met before the energy was proven minimal."
-          : "All conditions hold; the energy is not proven minimal.";
+                             ? "All conditions hold; the time limit was met before the energy was proven minimal."
+                             : "All conditions hold; the energy is not proven minimal.";
     }
     return m_solution;
   }
@@ -335,7 +334,7 @@ private:
     }
     if(m_problem.has_inequalities())
       Exact_verification(m_problem, m_solution.conflicting_constraints, m_options.constraint_tolerance)
-          .settle(m_solution.x);
+        .settle(m_solution.x);
     m_solution.energy = m_solution.x.dot(0.5 * (m_A * m_solution.x) - m_b) + m_problem.constant();
   }
 

@@ -43,9 +43,7 @@ struct Reduced_problem
   double energy(const Eigen::VectorXd& z) const { return z.dot(0.5 * (A * z) - b) + constant; }
 };
 
-inline Reduced_problem reduce(const Eigen::SparseMatrix<double>& A,
-                              const Eigen::VectorXd& b,
-                              double constant,
+inline Reduced_problem reduce(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, double constant,
                               const Eliminated_constraints& constraints)
 {
   Reduced_problem reduced;
@@ -73,8 +71,7 @@ inline Reduced_problem reduce(const Eigen::SparseMatrix<double>& A,
 }
 
 // The rows `rows` and columns `columns` of a matrix.
-inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& A,
-                                             const std::vector<int>& rows,
+inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& A, const std::vector<int>& rows,
                                              const std::vector<int>& columns)
 {
   std::vector<int> position(A.rows(), -1);

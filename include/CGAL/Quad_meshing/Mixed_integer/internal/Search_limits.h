@@ -25,7 +25,8 @@ class Search_limits
 public:
   Search_limits(Any_visitor& visitor, double maximum_running_time)
     : m_visitor(visitor), m_maximum_seconds(maximum_running_time), m_begin(std::chrono::steady_clock::now())
-  {}
+  {
+  }
 
   bool go_further()
   {
@@ -51,10 +52,7 @@ public:
 
   double seconds_left() const { return (std::max)(0., m_maximum_seconds - seconds()); }
 
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count(); }
 
 private:
   // Nobody knows how long a search takes: the part of so many seconds that have passed, on a scale without an end.

@@ -56,8 +56,8 @@ inline bool naive_rounding(const Sparse_cholesky<double>& linear_solver, const R
     double least = 1.;
     for(int i : open)
       least = (std::min)(least, distance_to_integer(solver.x()[i]));
-    const std::vector<int>::iterator best = std::find_if(open.begin(), open.end(), [&](int i)
-      { return distance_to_integer(solver.x()[i]) <= least + tie; });
+    const std::vector<int>::iterator best =
+      std::find_if(open.begin(), open.end(), [&](int i) { return distance_to_integer(solver.x()[i]) <= least + tie; });
     if(!solver.fix_exactly(*best, nearest_integer(solver.x()[*best]), solution.factorizations))
       return false;
     open.erase(best);
@@ -99,7 +99,7 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
 
   // Candidates by deviation, then index. Entries are stale if the deviation has changed since.
   typedef std::pair<double, int> Candidate;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > candidates;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> candidates;
   std::vector<double> deviation(problem.size(), -1.);
   const auto push = [&](int i)
   {
@@ -154,8 +154,9 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
     }
     if(level != Levels::GAUSS_SEIDEL)
       since_refresh = 0;
-    solver.visit_changes([&](int i)
-    {
+    solver.visit_changes(
+      [&](int i)
+      {
       if(!solver.is_fixed(i))
         push(i);
     });

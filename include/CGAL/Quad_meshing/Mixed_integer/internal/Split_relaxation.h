@@ -45,10 +45,7 @@ struct Splits
 class Split_relaxation
 {
 public:
-  explicit Split_relaxation(const Splits& splits)
-    : m_splits(splits)
-    , m_dimension(static_cast<int>(splits.B.rows()))
-  {}
+  explicit Split_relaxation(const Splits& splits) : m_splits(splits), m_dimension(static_cast<int>(splits.B.rows())) {}
 
   // Follows the path from the weights, which have to be positive, from where the bound is about `first_accuracy`
   // below the maximum to where it is about `accuracy` below. Returns false if told to stop, or if numbers gave out;
@@ -57,8 +54,8 @@ public:
            const std::function<bool()>& go_further)
   {
     const double mu_factor = 0.25;
-    const int maximum_steps = 50;    // per point of the path; a handful is usual
-    const double centered = 0.1;     // squared Newton decrement over mu
+    const int maximum_steps = 50; // per point of the path; a handful is usual
+    const double centered = 0.1;  // squared Newton decrement over mu
     const double count = m_dimension + m_splits.size(), last_mu = accuracy / count;
 
     m_weights = start;
@@ -101,10 +98,7 @@ public:
   Eigen::VectorXd mean() const { return m_at.mean; }
 
   // The upper triangular factor of the inverse of the covariance.
-  Eigen::MatrixXd precision_factor() const
-  {
-    return Eigen::MatrixXd(m_at.cholesky.matrixU()) / std::sqrt(m_mu);
-  }
+  Eigen::MatrixXd precision_factor() const { return Eigen::MatrixXd(m_at.cholesky.matrixU()) / std::sqrt(m_mu); }
 
 private:
   struct Evaluation
@@ -151,7 +145,7 @@ private:
       for(int i = j; i < n; ++i)
         hessian(i, j) *= 2 * value[i] * value[j] + m_mu * hessian(i, j);
     hessian.diagonal().array() += m_mu * m_weights.array().square().inverse();
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd> > cholesky(hessian);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(hessian);
     if(cholesky.info() != Eigen::Success)
       return false;
     const Eigen::VectorXd step = cholesky.solve(gradient);

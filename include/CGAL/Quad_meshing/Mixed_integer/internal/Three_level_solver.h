@@ -34,14 +34,17 @@ namespace internal {
 class Three_level_solver
 {
 public:
-  enum Level { GAUSS_SEIDEL = 1, CONJUGATE_GRADIENT = 2, FACTORIZATION = 3, FAILED = 4 };
+  enum Level
+  {
+    GAUSS_SEIDEL = 1,
+    CONJUGATE_GRADIENT = 2,
+    FACTORIZATION = 3,
+    FAILED = 4
+  };
 
   // `linear_solver` shows how to solve.
-  Three_level_solver(const Sparse_cholesky<double>& linear_solver,
-                     const Eigen::SparseMatrix<double>& A,
-                     const Eigen::VectorXd& b,
-                     double tolerance,
-                     int gauss_seidel_iterations,
+  Three_level_solver(const Sparse_cholesky<double>& linear_solver, const Eigen::SparseMatrix<double>& A,
+                     const Eigen::VectorXd& b, double tolerance, int gauss_seidel_iterations,
                      int conjugate_gradient_iterations)
     : m_A(A)
     , m_b(b)
@@ -53,7 +56,8 @@ public:
     , m_tolerance(tolerance)
     , m_gauss_seidel_iterations(gauss_seidel_iterations)
     , m_conjugate_gradient_iterations(conjugate_gradient_iterations)
-  {}
+  {
+  }
 
   // Computes the minimizer with nothing fixed.
   bool initialize(int& factorizations)
@@ -285,7 +289,7 @@ private:
   Sparse_cholesky<double> m_factor;
   Eigen::VectorXd m_x;
   // the variables fixed exactly since the last factor, and their steps
-  std::vector<std::pair<int, Eigen::VectorXd> > m_columns;
+  std::vector<std::pair<int, Eigen::VectorXd>> m_columns;
   std::vector<char> m_is_fixed, m_is_queued, m_is_changed;
   std::vector<int> m_queue, m_changes;
   std::size_t m_head = 0;

@@ -91,7 +91,7 @@ private:
     return Rational(a);
   }
 
-  std::vector<std::vector<Rational> > m_directions;
+  std::vector<std::vector<Rational>> m_directions;
   std::vector<int> m_free;
 };
 
@@ -123,7 +123,7 @@ inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::Vecto
     upper[d].value = Rational(1);
   }
   Exact_dual_simplex program(objective, lower, upper, std::vector<char>(k, 0));
-  const auto along = [&](const std::vector<std::pair<int, Rational> >& form, int sign)
+  const auto along = [&](const std::vector<std::pair<int, Rational>>& form, int sign)
   {
     std::vector<Rational> a(k, Rational(0));
     for(const std::pair<int, Rational>& e : form)
@@ -135,7 +135,7 @@ inline bool has_unbounded_ray(const Bounded_problem& problem, const Eigen::Vecto
     program.add_constraint(along(row.form, 1), Rational(0), false);
   for(int i = 0; i < n; ++i)
   {
-    const std::vector<std::pair<int, Rational> > coordinate(1, std::make_pair(i, Rational(1)));
+    const std::vector<std::pair<int, Rational>> coordinate(1, std::make_pair(i, Rational(1)));
     if(problem.has_upper(i))
       program.add_constraint(along(coordinate, 1), Rational(0), false);
     if(problem.has_lower(i))

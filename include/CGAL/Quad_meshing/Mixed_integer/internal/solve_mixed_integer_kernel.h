@@ -21,16 +21,17 @@ namespace Quad_meshing {
 namespace internal {
 
 // `linear_solver` shows how to solve.
-CGAL_QUAD_MESHING_INLINE Mixed_integer_solution
-solve_mixed_integer_kernel(const Mixed_integer_problem& problem, const Solver_options& options,
-                           const Sparse_cholesky<double>& linear_solver, Any_visitor& visitor);
+CGAL_QUAD_MESHING_INLINE Mixed_integer_solution solve_mixed_integer_kernel(const Mixed_integer_problem& problem,
+                                                                           const Solver_options& options,
+                                                                           const Sparse_cholesky<double>& linear_solver,
+                                                                           Any_visitor& visitor);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel_impl.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVE_MIXED_INTEGER_KERNEL_H

@@ -17,9 +17,10 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE Mixed_integer_solution
-solve_mixed_integer_kernel(const Mixed_integer_problem& problem, const Solver_options& options,
-                           const Sparse_cholesky<double>& linear_solver, Any_visitor& visitor)
+CGAL_QUAD_MESHING_INLINE Mixed_integer_solution solve_mixed_integer_kernel(const Mixed_integer_problem& problem,
+                                                                           const Solver_options& options,
+                                                                           const Sparse_cholesky<double>& linear_solver,
+                                                                           Any_visitor& visitor)
 {
   const Visited_stage stage(visitor, "mixed-integer solution");
   Search_limits limits(visitor, options.maximum_running_time);

@@ -35,25 +35,25 @@ struct Combed_charts
 {
   struct Path
   {
-    int rotation;                // quarters, from the left to the right
-    std::vector<int> halfedges;  // along the path; their faces lie on its left
+    int rotation;               // quarters, from the left to the right
+    std::vector<int> halfedges; // along the path; their faces lie on its left
   };
 
   const Indexed_triangle_mesh& mesh;
-  std::vector<bool> is_cut;                     // per edge
-  std::vector<int> component;                   // per face
+  std::vector<bool> is_cut;   // per edge
+  std::vector<int> component; // per face
   int number_of_components = 0;
-  std::vector<int> turns;                       // per face
-  std::vector<std::array<double, 2> > u_direction; // per face: (cos, sin) of the u-direction in the frame of
-                                                // the face (x along halfedge 3f, y to the left of it)
+  std::vector<int> turns;                         // per face
+  std::vector<std::array<double, 2>> u_direction; // per face: (cos, sin) of the u-direction in the frame of
+                                                  // the face (x along halfedge 3f, y to the left of it)
   std::vector<Path> paths;
-  std::vector<int> path_of_edge;                // per edge: 1 + path if halfedge_of_edge runs along it,
-                                                // -(1 + path) if against it, 0 if the edge is not cut
-  std::vector<int> wedge_of_corner;             // per corner 3f+k
-  std::vector<std::vector<int> > wedge_halfedges; // per wedge: the halfedges that leave its vertex in it,
-                                                // counterclockwise
-  std::vector<int> first_wedge;                 // per vertex, size number of vertices + 1; the wedges of a
-                                                // vertex are consecutive and counterclockwise
+  std::vector<int> path_of_edge;                 // per edge: 1 + path if halfedge_of_edge runs along it,
+                                                 // -(1 + path) if against it, 0 if the edge is not cut
+  std::vector<int> wedge_of_corner;              // per corner 3f+k
+  std::vector<std::vector<int>> wedge_halfedges; // per wedge: the halfedges that leave its vertex in it,
+                                                 // counterclockwise
+  std::vector<int> first_wedge;                  // per vertex, size number of vertices + 1; the wedges of a
+                                                 // vertex are consecutive and counterclockwise
 
   // `angle` per face and `period_jump` per edge as the maps of a cross field hold them.
   Combed_charts(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
@@ -129,7 +129,7 @@ private:
     for(int f = 0; f < mesh.number_of_faces(); ++f)
     {
       const double a = angle[f] + turns[f] * (CGAL_PI / 2);
-      u_direction[f] = {{ std::cos(a), std::sin(a) }};
+      u_direction[f] = { { std::cos(a), std::sin(a) } };
     }
   }
 

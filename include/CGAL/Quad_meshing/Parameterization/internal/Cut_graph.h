@@ -43,10 +43,10 @@ public:
 
 private:
   const Indexed_triangle_mesh& m_mesh;
-  std::vector<bool> m_cut;        // per edge
-  std::vector<bool> m_on_cut;     // per vertex: on a cut edge or on the border
-  std::vector<int> m_component;   // per face
-  std::vector<int> m_first_face;  // per component
+  std::vector<bool> m_cut;       // per edge
+  std::vector<bool> m_on_cut;    // per vertex: on a cut edge or on the border
+  std::vector<int> m_component;  // per face
+  std::vector<int> m_first_face; // per component
 
   void number_components()
   {
@@ -110,7 +110,7 @@ private:
   void remove_dangling_paths()
   {
     std::vector<int> degree(m_mesh.number_of_vertices(), 0);
-    std::vector<std::vector<int> > incident(m_mesh.number_of_vertices());
+    std::vector<std::vector<int>> incident(m_mesh.number_of_vertices());
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
     {
       if(!m_cut[e] && !m_mesh.is_border_edge(e))
@@ -180,8 +180,8 @@ private:
       {
         if(m_on_cut[v])
         {
-          for(int w = v; w != s; w = m_mesh.source(arrived_by[w]) == w ? m_mesh.target(arrived_by[w])
-                                                                      : m_mesh.source(arrived_by[w]))
+          for(int w = v; w != s;
+              w = m_mesh.source(arrived_by[w]) == w ? m_mesh.target(arrived_by[w]) : m_mesh.source(arrived_by[w]))
           {
             m_cut[m_mesh.edge_of[arrived_by[w]]] = true;
             m_on_cut[w] = true;
@@ -194,8 +194,9 @@ private:
           if(front.reach(w, length + CGAL::approximate_sqrt(m_mesh.vector(h).squared_length())))
             arrived_by[w] = h;
         };
-        for_each_corner_of_vertex(m_mesh, v, [&](int h)
-        {
+        for_each_corner_of_vertex(m_mesh, v,
+                                  [&](int h)
+                                  {
           relax(h, m_mesh.target(h));
           const int p = Indexed_triangle_mesh::prev(h);
           if(m_mesh.opposite[p] == -1)

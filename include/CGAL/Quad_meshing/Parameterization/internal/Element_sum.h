@@ -70,7 +70,7 @@ private:
   const int m_n;
   std::vector<int> m_far, m_far_numbers;
   Eigen::MatrixXd m_dense;
-  std::vector<Eigen::Triplet<double> > m_triplets;
+  std::vector<Eigen::Triplet<double>> m_triplets;
 };
 
 } // namespace internal

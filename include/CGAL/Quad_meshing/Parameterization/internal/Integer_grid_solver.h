@@ -49,10 +49,14 @@ public:
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
                       unsigned int number_of_threads, Stage_progress& progress)
-    : mesh(mesh), is_singular(singular_vertices(mesh, quarters)),
-      charts(mesh, angle, period_jump, is_singular), coordinates(charts, is_singular, is_aligned), faces(charts, sizing),
-      m_sectors(coordinates, quarters, is_aligned), m_optimization(coordinates, faces, m_sectors, progress),
-      m_progress(progress)
+    : mesh(mesh)
+    , is_singular(singular_vertices(mesh, quarters))
+    , charts(mesh, angle, period_jump, is_singular)
+    , coordinates(charts, is_singular, is_aligned)
+    , faces(charts, sizing)
+    , m_sectors(coordinates, quarters, is_aligned)
+    , m_optimization(coordinates, faces, m_sectors, progress)
+    , m_progress(progress)
   {
     m_optimization.number_of_threads = number_of_threads;
   }
@@ -78,8 +82,8 @@ public:
       coordinates.is_integer, Integer_energy(), false });
     const Orientation_energy& energy = data->energy;
     if(!m_progress.go_further() ||
-       !run_aside(coordinates.number_of_variables(), m_progress, data, [](Reduction& r)
-                  { r.is_done = r.result.compute(r.energy.A, r.energy.b, r.is_integer); }) ||
+       !run_aside(coordinates.number_of_variables(), m_progress, data,
+                  [](Reduction& r) { r.is_done = r.result.compute(r.energy.A, r.energy.b, r.is_integer); }) ||
        !data->is_done)
       return false;
     m_reduction = std::move(data->result);
@@ -253,7 +257,8 @@ private:
   {
     const int few_rings = 3, few_steps = 20; // translations move everything along the cuts: such steps are costly
     return m_optimization.untangle(y, coordinates.is_integer, few_rings) ||
-           m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), few_rings, few_steps);
+           m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), few_rings,
+                                   few_steps);
   }
 
   Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const
@@ -293,7 +298,8 @@ private:
                                 static_cast<int>(variables.size()), y, &m_progress);
       data->matrix.swap(energy.A);
       if(!m_progress.go_further() ||
-         !run_aside(static_cast<int>(variables.size()), m_progress, data, [](Factorization& f)
+         !run_aside(static_cast<int>(variables.size()), m_progress, data,
+                    [](Factorization& f)
                     { f.is_done = f.solver.factorize(f.matrix); }) || // the pattern is analyzed the first time
          !data->is_done)
         return;

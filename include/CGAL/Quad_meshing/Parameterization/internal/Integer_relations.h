@@ -99,11 +99,17 @@ inline Grid_form rotated(Grid_form a, int quarters)
 class Integer_relations
 {
 public:
-  enum Outcome { REMOVED_A_VARIABLE, REDUNDANT, CONTRADICTION };
+  enum Outcome
+  {
+    REMOVED_A_VARIABLE,
+    REDUNDANT,
+    CONTRADICTION
+  };
 
   explicit Integer_relations(int number_of_variables)
     : m_replaced(number_of_variables, false), m_replacement(number_of_variables), m_weight(number_of_variables, 1)
-  {}
+  {
+  }
 
   int number_of_variables() const { return static_cast<int>(m_replaced.size()); }
   bool is_free(int i) const { return !m_replaced[i]; }

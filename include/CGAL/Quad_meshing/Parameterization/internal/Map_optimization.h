@@ -45,7 +45,11 @@ class Map_optimization
 public:
   Map_optimization(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors,
                    Stage_progress& progress)
-    : m_coordinates(coordinates), m_mesh(coordinates.charts.mesh), m_faces(faces), m_sectors(sectors), m_progress(progress)
+    : m_coordinates(coordinates)
+    , m_mesh(coordinates.charts.mesh)
+    , m_faces(faces)
+    , m_sectors(sectors)
+    , m_progress(progress)
   {
     double total = 0;
     for(double a : m_faces.area)
@@ -166,10 +170,10 @@ private:
   const Face_gradients& m_faces;
   const Vertex_sectors& m_sectors;
   Stage_progress& m_progress;
-  std::vector<double> m_weight;  // per face
-  std::vector<int> m_active;     // faces
-  std::vector<int> m_number;     // per variable: its number among the free ones, -1 if fixed
-  std::vector<int> m_variables;  // the free ones
+  std::vector<double> m_weight; // per face
+  std::vector<int> m_active;    // faces
+  std::vector<int> m_number;    // per variable: its number among the free ones, -1 if fixed
+  std::vector<int> m_variables; // the free ones
   Regularized_distortion m_distortion;
 
   double determinant(int f, const Eigen::VectorXd& x) const
@@ -235,15 +239,16 @@ private:
     for(std::size_t i = 0; i < is_placed.size(); ++i)
       if(is_placed[i])
         m_number[i] = -1;
-    m_variables.erase(std::remove_if(m_variables.begin(), m_variables.end(), [&](int i) { return is_placed[i]; }), m_variables.end());
+    m_variables.erase(std::remove_if(m_variables.begin(), m_variables.end(), [&](int i) { return is_placed[i]; }),
+                      m_variables.end());
     for(std::size_t i = 0; i < m_variables.size(); ++i)
       m_number[m_variables[i]] = static_cast<int>(i);
 
     if(m_variables.empty())
       return;
-    std::vector<Eigen::Triplet<double> > triplets;
+    std::vector<Eigen::Triplet<double>> triplets;
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(m_variables.size());
-    std::vector<std::pair<int, double> > row;
+    std::vector<std::pair<int, double>> row;
     for(int f : m_active)
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
@@ -251,7 +256,8 @@ private:
           row.clear();
           double constant = 0;
           for(int end = 0; end < 2; ++end)
-            for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + (k + end) % 3]][c])
+            for(const auto& t :
+                m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + (k + end) % 3]][c])
             {
               const double w = end == 0 ? t.second : -t.second;
               if(m_number[t.first] == -1)
@@ -292,8 +298,9 @@ private:
       next.clear();
       for(int v : front)
       {
-        for_each_corner_of_vertex(m_mesh, v, [&](int h)
-        {
+        for_each_corner_of_vertex(m_mesh, v,
+                                  [&](int h)
+                                  {
           for(int w : { m_mesh.target(h), m_mesh.source(Indexed_triangle_mesh::prev(h)) })
             if(!inside[w])
             {
@@ -320,8 +327,9 @@ private:
             visit(m_mesh.corners[f][k], t.first);
     };
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
-      for_each_term(f, [&](int v, int i)
-      {
+      for_each_term(f,
+                    [&](int v, int i)
+                    {
         if(inside[v] && !is_fixed[i] && m_number[i] == -1)
         {
           m_number[i] = static_cast<int>(m_variables.size());
@@ -341,8 +349,9 @@ private:
   double energy(const Eigen::VectorXd& x) const
   {
     std::vector<double> of_face(m_active.size());
-    parallel_for(m_active.size(), number_of_threads, [&](std::size_t i)
-    {
+    parallel_for(m_active.size(), number_of_threads,
+                 [&](std::size_t i)
+                 {
       const int f = m_active[i];
       of_face[i] = m_weight[f] * m_distortion.value(m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x)));
     });
@@ -369,9 +378,10 @@ private:
       Regularized_distortion::Vector_4 g;
       Regularized_distortion::Matrix_4 H;
     };
-    std::vector<Derivatives, Eigen::aligned_allocator<Derivatives> > derivatives(m_active.size());
-    parallel_for(m_active.size(), number_of_threads, [&](std::size_t i)
-    {
+    std::vector<Derivatives, Eigen::aligned_allocator<Derivatives>> derivatives(m_active.size());
+    parallel_for(m_active.size(), number_of_threads,
+                 [&](std::size_t i)
+                 {
       const Eigen::Matrix2d J = m_faces.jacobian(m_active[i], corner_coordinates(m_coordinates, m_active[i], x));
       m_distortion.derivatives(J, derivatives[i].g, derivatives[i].H);
     });

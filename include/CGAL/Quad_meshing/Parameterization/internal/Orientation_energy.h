@@ -55,7 +55,8 @@ struct Orientation_energy
 
 private:
   void assemble(const Seamless_coordinates& coordinates, const Face_gradients& faces, const std::vector<double>& weight,
-                double anisotropy, const std::vector<int>& number, int n, const Eigen::VectorXd& x, Stage_progress* progress)
+                double anisotropy, const std::vector<int>& number, int n, const Eigen::VectorXd& x,
+                Stage_progress* progress)
   {
     const int faces_per_report = 0x4000; // each takes about a microsecond
     const Combed_charts& charts = coordinates.charts;
@@ -63,7 +64,7 @@ private:
     b = Eigen::VectorXd::Zero(n);
     Element_sum sum(coordinates, number, n, 18 * static_cast<std::size_t>(nf));
     std::vector<int> variables, place(n, -1);
-    std::vector<std::array<double, 2> > row; // derivatives along u_T and v_T
+    std::vector<std::array<double, 2>> row; // derivatives along u_T and v_T
     for(int f = 0; f < nf; ++f)
     {
       if(progress != nullptr && f % faces_per_report == 0 && !progress->go_further())
@@ -72,7 +73,7 @@ private:
       {
         variables.clear();
         row.clear();
-        std::array<double, 2> target = {{ c == 0 ? 1. : 0., c == 1 ? 1. : 0. }};
+        std::array<double, 2> target = { { c == 0 ? 1. : 0., c == 1 ? 1. : 0. } };
         for(int k = 0; k < 3; ++k)
           for(const Seamless_coordinates::Term& t : coordinates.coordinates[charts.wedge_of_corner[3 * f + k]][c])
           {
@@ -81,7 +82,7 @@ private:
             {
               place[i] = static_cast<int>(variables.size());
               variables.push_back(i);
-              row.push_back({{ 0., 0. }});
+              row.push_back({ { 0., 0. } });
             }
             for(int d = 0; d < 2; ++d)
               if(i == -1)

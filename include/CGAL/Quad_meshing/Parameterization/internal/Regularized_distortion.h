@@ -58,17 +58,15 @@ public:
     ddD(1, 2) = ddD(2, 1) = -1;
 
     const Vector_4 dN = a + area_weight * D * dD;
-    gradient = dN / c - (N * dc / (c * c)) * dD +
-               alignment_weight * (a - Vector_4(1, 0, 0, 1));
+    gradient = dN / c - (N * dc / (c * c)) * dD + alignment_weight * (a - Vector_4(1, 0, 0, 1));
 
-    hessian = (Matrix_4::Identity() + area_weight * (dD * dD.transpose() + D * ddD)) / c
-            - (dc / (c * c)) * (dN * dD.transpose() + dD * dN.transpose())
-            + (2 * N * dc * dc / (c * c * c) - N * ddc / (c * c)) * (dD * dD.transpose())
-            - (N * dc / (c * c)) * ddD;
+    hessian = (Matrix_4::Identity() + area_weight * (dD * dD.transpose() + D * ddD)) / c -
+              (dc / (c * c)) * (dN * dD.transpose() + dD * dN.transpose()) +
+              (2 * N * dc * dc / (c * c * c) - N * ddc / (c * c)) * (dD * dD.transpose()) - (N * dc / (c * c)) * ddD;
     const Eigen::SelfAdjointEigenSolver<Matrix_4> eigen(hessian);
     const Vector_4 values = eigen.eigenvalues().cwiseMax(0.);
-    hessian = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose()
-            + alignment_weight * Matrix_4::Identity();
+    hessian = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose() +
+              alignment_weight * Matrix_4::Identity();
   }
 
 private:

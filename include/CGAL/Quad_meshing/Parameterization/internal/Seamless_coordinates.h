@@ -37,16 +37,17 @@ public:
   typedef std::pair<int, double> Term; // variable, coefficient
 
   const Combed_charts& charts;
-  std::vector<bool> is_integer;                      // per variable
-  std::vector<std::array<std::vector<Term>, 2> > coordinates; // per wedge: u and v
+  std::vector<bool> is_integer;                              // per variable
+  std::vector<std::array<std::vector<Term>, 2>> coordinates; // per wedge: u and v
 
   // `is_aligned` per edge: the edge has to lie on a grid line. `is_singular` per vertex: the vertex has to
   // lie on a grid point.
   Seamless_coordinates(const Combed_charts& charts, const std::vector<bool>& is_singular,
                        const std::vector<bool>& is_aligned)
-    : charts(charts), m_mesh(charts.mesh),
-      m_relations(2 * m_mesh.number_of_vertices() + 2 * static_cast<int>(charts.paths.size())),
-      m_raw_is_integer(m_relations.number_of_variables(), false)
+    : charts(charts)
+    , m_mesh(charts.mesh)
+    , m_relations(2 * m_mesh.number_of_vertices() + 2 * static_cast<int>(charts.paths.size()))
+    , m_raw_is_integer(m_relations.number_of_variables(), false)
   {
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(is_singular[v])
@@ -67,10 +68,7 @@ public:
 
   // The coordinate (0 = u, 1 = v) that is constant along halfedge h, in the chart of its face, if the field runs
   // along it.
-  int constant_coordinate(int h) const
-  {
-    return quarter_of(h) % 2 == 0 ? 1 : 0;
-  }
+  int constant_coordinate(int h) const { return quarter_of(h) % 2 == 0 ? 1 : 0; }
 
   // The direction of the u-axis (0), v-axis (1), or their negatives (2, 3) that is nearest to halfedge h in the chart
   // of its face.
@@ -139,7 +137,7 @@ private:
       const int first = charts.first_wedge[v], last = charts.first_wedge[v + 1];
       if(first == last)
         continue;
-      m_wedge_form[first] = {{ Integer_form::variable(2 * v), Integer_form::variable(2 * v + 1) }};
+      m_wedge_form[first] = { { Integer_form::variable(2 * v), Integer_form::variable(2 * v + 1) } };
       Grid_form p = m_wedge_form[first];
       for(int w = first; w < last; ++w)
       {
@@ -187,12 +185,16 @@ private:
   // it to every translation; integers are taken first, for a shift that makes them zero need not be an integer.
   void pin_components()
   {
-    struct Candidate { int variable; std::array<int, 2> response; };
-    std::vector<std::vector<Candidate> > candidates(charts.number_of_components);
+    struct Candidate
+    {
+      int variable;
+      std::array<int, 2> response;
+    };
+    std::vector<std::vector<Candidate>> candidates(charts.number_of_components);
     auto offer = [&](int i, int component, int du, int dv)
     {
       if((du != 0 || dv != 0) && m_relations.is_free(i))
-        candidates[component].push_back(Candidate{ i, {{ du, dv }} });
+        candidates[component].push_back(Candidate{ i, { { du, dv } } });
     };
     std::vector<int> component_of_vertex(m_mesh.number_of_vertices(), -1);
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)

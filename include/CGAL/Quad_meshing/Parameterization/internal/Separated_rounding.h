@@ -68,7 +68,7 @@ public:
   {
     m_gradient = m_S * z - m_c;
     m_relief.assign(m_S.rows(), 0.);
-    m_step_gain.assign(m_S.rows(), {{ 0., 0. }});
+    m_step_gain.assign(m_S.rows(), { { 0., 0. } });
     for(Inequality& i : m_inequalities)
     {
       i.value = 0;
@@ -127,7 +127,7 @@ public:
 private:
   struct Inequality // value > 0
   {
-    std::vector<std::pair<int, double> > terms;
+    std::vector<std::pair<int, double>> terms;
     double value = 0, weight = 0;
   };
 
@@ -148,14 +148,15 @@ private:
   const Eigen::VectorXd& m_c;
   const std::vector<int>& m_number;
   std::vector<Inequality> m_inequalities;
-  std::vector<std::vector<std::pair<int, double> > > m_inequalities_of; // per integer: their numbers and its coefficients
-  std::vector<std::vector<int> > m_partners;        // per integer: others that it is coupled with, each pair once
+  std::vector<std::vector<std::pair<int, double>>> m_inequalities_of; // per integer: their numbers and its coefficients
+  std::vector<std::vector<int>> m_partners; // per integer: others that it is coupled with, each pair once
   Eigen::VectorXd m_gradient;
-  std::vector<double> m_relief;                      // per integer: the weighted violations that its steps can end at most
-  std::vector<std::array<double, 2> > m_step_gain;   // per integer, down and up: by how much a step lessens the weighted violations
-  std::vector<std::vector<std::vector<Shared> > > m_shared; // per integer and partner
+  std::vector<double> m_relief; // per integer: the weighted violations that its steps can end at most
+  std::vector<std::array<double, 2>>
+    m_step_gain; // per integer, down and up: by how much a step lessens the weighted violations
+  std::vector<std::vector<std::vector<Shared>>> m_shared; // per integer and partner
   double m_shared_left = 4e9; // terms of these lists that may still be visited: a bound on the work
-  double m_step_weight = 0; // what one step of one integer costs on average
+  double m_step_weight = 0;   // what one step of one integer costs on average
 
   static double violation(double value)
   {
@@ -176,7 +177,7 @@ private:
     m_partners.resize(n);
     for(int i = 0; i < n; ++i)
     {
-      std::vector<std::pair<double, int> > coupling;
+      std::vector<std::pair<double, int>> coupling;
       for(int j = 0; j < n; ++j)
         if(j != i)
           coupling.emplace_back(-m_S(i, j) * m_S(i, j) / m_S(j, j), j);
@@ -251,10 +252,12 @@ private:
         for(int d : { -1, 1 })
           for(int e : { -1, 1 })
           {
-            const double energy = d * m_gradient[i] + 0.5 * m_S(i, i) + e * m_gradient[j] + 0.5 * m_S(j, j) + d * e * m_S(i, j);
+            const double energy =
+              d * m_gradient[i] + 0.5 * m_S(i, i) + e * m_gradient[j] + 0.5 * m_S(j, j) + d * e * m_S(i, j);
             if(m_relief[i] + m_relief[j] - energy <= best.gain)
               continue;
-            offer(best, i, d, j, e, gain_of_step(i, d) + gain_of_step(j, e) + gain_of_both(m_shared[i][k], d, e) - energy);
+            offer(best, i, d, j, e,
+                  gain_of_step(i, d) + gain_of_step(j, e) + gain_of_both(m_shared[i][k], d, e) - energy);
             m_shared_left -= static_cast<double>(m_shared[i][k].size());
           }
       }

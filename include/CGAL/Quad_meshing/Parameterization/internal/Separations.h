@@ -78,8 +78,13 @@ public:
   // the search.
   Separations(const Seamless_coordinates& coordinates, const std::vector<bool>& is_grid_point,
               const std::vector<bool>& is_aligned, const Eigen::VectorXd& reference, Stage_progress& progress)
-    : m_coordinates(coordinates), m_charts(coordinates.charts), m_mesh(coordinates.charts.mesh),
-      m_is_grid_point(is_grid_point), m_is_aligned(is_aligned), m_reference(reference), m_progress(progress)
+    : m_coordinates(coordinates)
+    , m_charts(coordinates.charts)
+    , m_mesh(coordinates.charts.mesh)
+    , m_is_grid_point(is_grid_point)
+    , m_is_aligned(is_aligned)
+    , m_reference(reference)
+    , m_progress(progress)
   {
     // Rounding moves a difference of two coordinates by about half a unit, seldom by more than one.
     discover(reference, 1.5);
@@ -153,7 +158,7 @@ private:
     return p;
   }
 
-  std::array<double, 2> position(const Grid_form& p) const { return {{ evaluate(p[0], m_x), evaluate(p[1], m_x) }}; }
+  std::array<double, 2> position(const Grid_form& p) const { return { { evaluate(p[0], m_x), evaluate(p[1], m_x) } }; }
 
   Frame frame_beyond(const Frame& frame, int h) const
   {
@@ -203,8 +208,9 @@ private:
   void look_around(int v)
   {
     std::queue<Frame> front;
-    for_each_corner_of_vertex(m_mesh, v, [&](int h)
-    {
+    for_each_corner_of_vertex(m_mesh, v,
+                              [&](int h)
+                              {
       m_reached_from[h / 3] = v;
       front.push(frame_at(h));
     });
@@ -260,8 +266,8 @@ private:
       const double tip_along = position(seen(frame, tip))[along];
       const double start_along = position(seen(frame, entry))[along], end_along = position(seen(frame, g))[along];
       // the ray leaves through g (from the end of the entry edge to the tip) or through the edge after it
-      const bool through_g = (tip_along - middle) * (end_along - middle) < 0 ||
-                             ((tip_along - middle) == 0 && start_along < end_along);
+      const bool through_g =
+        (tip_along - middle) * (end_along - middle) < 0 || ((tip_along - middle) == 0 && start_along < end_along);
       const int exit = through_g ? g : tip;
       const Grid_form p = seen(frame, exit);
       const std::array<double, 2> q = position(p), r = position(seen(frame, Indexed_triangle_mesh::next(exit)));

@@ -32,7 +32,8 @@ public:
   Star_layout(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors,
               const std::vector<int>& number)
     : m_coordinates(coordinates), m_mesh(coordinates.charts.mesh), m_faces(faces), m_sectors(sectors), m_number(number)
-  {}
+  {
+  }
 
   // Lays out the neighbours of irregular vertices with folded faces: in their order, at angles in the proportion of
   // those on the surface and that fill the sector, at a part of their distance. Returns which variables have got a
@@ -80,8 +81,8 @@ private:
         turned += m_coordinates.charts.quarters_across(Indexed_triangle_mesh::prev(h));
     }
     const double offset = sector.is_anchored
-      ? m_coordinates.quarter_of(sector.halfedges.front()) * Vertex_sectors::right_angle
-      : std::atan2(mean.y(), mean.x());
+                            ? m_coordinates.quarter_of(sector.halfedges.front()) * Vertex_sectors::right_angle
+                            : std::atan2(mean.y(), mean.x());
     for(std::size_t i = 0; i < direction.size(); ++i)
     {
       const int h = sector.halfedges[i];

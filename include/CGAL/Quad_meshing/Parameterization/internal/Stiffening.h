@@ -31,7 +31,8 @@ public:
 
   Stiffening(const Seamless_coordinates& coordinates, const Face_gradients& faces)
     : weight(faces.area.size(), 1.), m_coordinates(coordinates), m_faces(faces)
-  {}
+  {
+  }
 
   void update_weights(const Eigen::VectorXd& x)
   {

@@ -34,14 +34,15 @@ struct Vertex_sectors
     bool is_anchored;           // whether it begins and ends at aligned edges
     bool is_irregular;          // whether the vertex is singular, or a corner of aligned edges
     std::vector<int> halfedges; // that leave the vertex, one per corner, counterclockwise
-    int last;                   // anchored: the halfedge that arrives at the vertex along the last edge, in the last face
+    int last; // anchored: the halfedge that arrives at the vertex along the last edge, in the last face
   };
 
   std::vector<Sector> list;
   std::vector<int> sector_of_corner; // per corner 3f+k; -1 where any angle will do
 
   // `quarters` per vertex: right angles around it, -1 where any will do.
-  Vertex_sectors(const Seamless_coordinates& coordinates, const std::vector<int>& quarters, const std::vector<bool>& is_aligned)
+  Vertex_sectors(const Seamless_coordinates& coordinates, const std::vector<int>& quarters,
+                 const std::vector<bool>& is_aligned)
     : sector_of_corner(coordinates.charts.mesh.number_of_halfedges(), -1)
   {
     const Indexed_triangle_mesh& mesh = coordinates.charts.mesh;
@@ -107,8 +108,9 @@ private:
       list.back().quarters = quarters;
     else if(sum != quarters) // a sector of more than a full turn: only one of them can be told by the sum
     {
-      auto widest = std::max_element(list.begin() + first, list.end(),
-                                     [](const Sector& a, const Sector& b) { return a.halfedges.size() < b.halfedges.size(); });
+      auto widest =
+        std::max_element(list.begin() + first, list.end(),
+                         [](const Sector& a, const Sector& b) { return a.halfedges.size() < b.halfedges.size(); });
       widest->quarters += quarters - sum;
     }
     bool regular = quarters == (on_border ? 2 : 4);

@@ -30,16 +30,16 @@ struct Grid_map_defects
 };
 
 // `uv` per halfedge: the image of its source in the chart of its face.
-CGAL_QUAD_MESHING_INLINE Grid_map_defects
-check_grid_map(const Indexed_triangle_mesh& mesh, const std::vector<std::array<double, 2> >& uv,
-               const std::vector<bool>& is_aligned);
+CGAL_QUAD_MESHING_INLINE Grid_map_defects check_grid_map(const Indexed_triangle_mesh& mesh,
+                                                         const std::vector<std::array<double, 2>>& uv,
+                                                         const std::vector<bool>& is_aligned);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Parameterization/internal/check_grid_map_impl.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/check_grid_map_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_PARAMETERIZATION_INTERNAL_CHECK_GRID_MAP_H

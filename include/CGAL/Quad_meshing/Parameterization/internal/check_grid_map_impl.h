@@ -21,15 +21,16 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE Grid_map_defects
-check_grid_map(const Indexed_triangle_mesh& m, const std::vector<std::array<double, 2> >& uv,
-               const std::vector<bool>& is_aligned)
+CGAL_QUAD_MESHING_INLINE Grid_map_defects check_grid_map(const Indexed_triangle_mesh& m,
+                                                         const std::vector<std::array<double, 2>>& uv,
+                                                         const std::vector<bool>& is_aligned)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 
   Grid_map_defects defects;
   for(int f = 0; f < m.number_of_faces(); ++f)
-    if(!std::all_of(&uv[3 * f], &uv[3 * f] + 3, [](const auto& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); }))
+    if(!std::all_of(&uv[3 * f], &uv[3 * f] + 3,
+                    [](const auto& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); }))
       defects.faces_not_finite.push_back(f);
   if(!defects.faces_not_finite.empty())
     return defects; // no other question makes sense

@@ -17,9 +17,10 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE Integer_grid_map_status
-solve_grid_map(const Grid_map_problem& problem, const Grid_map_options& options, Any_visitor& visitor,
-               std::vector<std::array<double, 2> >& uv, Integer_grid_map_result& result)
+CGAL_QUAD_MESHING_INLINE Integer_grid_map_status solve_grid_map(const Grid_map_problem& problem,
+                                                                const Grid_map_options& options, Any_visitor& visitor,
+                                                                std::vector<std::array<double, 2>>& uv,
+                                                                Integer_grid_map_result& result)
 {
   // How far the progress has come at the end of each part.
   const double set_up = 0.1, seamless = 0.5, rounded = 0.8;
@@ -65,7 +66,7 @@ solve_grid_map(const Grid_map_problem& problem, const Grid_map_options& options,
   for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
   {
     const auto p = solver.corner(h / 3, h % 3);
-    uv[h] = {{ p.x(), p.y() }};
+    uv[h] = { { p.x(), p.y() } };
   }
   return folded.empty() ? Integer_grid_map_status::VALID : Integer_grid_map_status::FOLDED;
 }

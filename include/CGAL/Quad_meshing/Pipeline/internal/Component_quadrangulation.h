@@ -13,9 +13,9 @@
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_search.h>
-#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 
@@ -53,11 +53,16 @@ class Component_quadrangulation
 public:
   // directions: per face of the input, or empty
   Component_quadrangulation(Quadrangulation_surface& surface, const Component_request& request,
-                            const std::vector<std::optional<Quadrangulation_kernel::Vector_3> >& directions,
+                            const std::vector<std::optional<Quadrangulation_kernel::Vector_3>>& directions,
                             const Quadrangulation_options& options, Pipeline_visitor& visitor)
-    : m_surface(surface), m_request(request), m_directions(directions), m_options(options), m_visitor(visitor)
+    : m_surface(surface)
+    , m_request(request)
+    , m_directions(directions)
+    , m_options(options)
+    , m_visitor(visitor)
     , m_topology(surface_topology(surface.mesh))
-  {}
+  {
+  }
 
   Quadrangulation_result result;
   std::shared_ptr<Quadrangulation_quads> quads; // null: there are none
@@ -80,9 +85,10 @@ public:
   }
 
 private:
-  // The weight, at full alignment, of a squared deviation from a reliable direction of curvature over the area of one quad, against a
-  // squared difference between two triangles. From 0.03 to 3, directions get nearer to those of the surface and singularities more: on a
-  // rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7 and 46 with 3.
+  // The weight, at full alignment, of a squared deviation from a reliable direction of curvature over the area of one
+  // quad, against a squared difference between two triangles. From 0.03 to 3, directions get nearer to those of the
+  // surface and singularities more: on a rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7
+  // and 46 with 3.
   static constexpr double weight_of_alignment = 1;
 
   void prepare()
@@ -95,7 +101,8 @@ private:
     }
     else
     {
-      const Feature_edges_result features = detect_feature_edges(mesh, m_options.sharpness_angle, m_request.length, m_surface.is_feature);
+      const Feature_edges_result features =
+        detect_feature_edges(mesh, m_options.sharpness_angle, m_request.length, m_surface.is_feature);
       result.feature_edges = features.number_of_edges;
       result.dropped_feature_edges = features.number_of_dropped_edges;
       feature_length = features.length;
@@ -112,9 +119,9 @@ private:
     Grid_map_search::Directions directions;
     if(!find_directions(directions))
       return false;
-    Grid_map_search search(m_surface, directions,
-                           { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads },
-                           m_visitor);
+    Grid_map_search search(
+      m_surface, directions,
+      { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor);
     const std::shared_ptr<const Grid_map_attempt> attempt = search.run();
     result.field_seconds += search.figures.field_seconds;
     result.parameterization_seconds = search.figures.parameterization_seconds;
@@ -141,11 +148,11 @@ private:
     directions.weight.resize(mesh.number_of_faces(), 0.);
     if(m_options.curvature_alignment > 0)
     {
-      const Curvature_guide_result guides =
-        curvature_directions(mesh, m_request.length,
-                             boost::make_iterator_property_map(directions.direction.begin(), get(boost::face_index, mesh)),
-                             boost::make_iterator_property_map(directions.weight.begin(), get(boost::face_index, mesh)),
-                             parameters::edge_is_constrained_map(m_surface.is_feature).visitor(std::ref(m_visitor)));
+      const Curvature_guide_result guides = curvature_directions(
+        mesh, m_request.length,
+        boost::make_iterator_property_map(directions.direction.begin(), get(boost::face_index, mesh)),
+        boost::make_iterator_property_map(directions.weight.begin(), get(boost::face_index, mesh)),
+        parameters::edge_is_constrained_map(m_surface.is_feature).visitor(std::ref(m_visitor)));
       if(!guides.is_valid())
       {
         if(m_visitor.is_stopped())
@@ -258,7 +265,7 @@ private:
   void locate_vertices()
   {
     typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
-    typedef AABB_tree<Aabb_traits<Quadrangulation_kernel, Primitive> > Tree;
+    typedef AABB_tree<Aabb_traits<Quadrangulation_kernel, Primitive>> Tree;
     const Mesh& mesh = m_surface.mesh;
     const Tree tree(faces(mesh).first, faces(mesh).second, mesh);
     for(Mesh::Vertex_index v : quads->mesh.vertices())
@@ -286,7 +293,7 @@ private:
   std::string defects() const
   {
     std::vector<Quadrangulation_kernel::Point_3> points;
-    std::vector<std::vector<std::size_t> > polygons;
+    std::vector<std::vector<std::size_t>> polygons;
     Polygon_mesh_processing::polygon_mesh_to_polygon_soup(quads->mesh, points, polygons);
     std::string list;
     for(const std::string& reason : find_quad_mesh_defects(points, polygons).reasons())
@@ -296,7 +303,7 @@ private:
 
   Quadrangulation_surface& m_surface;
   const Component_request m_request;
-  const std::vector<std::optional<Quadrangulation_kernel::Vector_3> >& m_directions;
+  const std::vector<std::optional<Quadrangulation_kernel::Vector_3>>& m_directions;
   const Quadrangulation_options& m_options;
   Pipeline_visitor& m_visitor;
   const std::vector<Component_topology> m_topology;

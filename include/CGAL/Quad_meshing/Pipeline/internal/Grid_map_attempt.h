@@ -25,11 +25,11 @@ namespace internal {
 struct Field_attempt
 {
   Cross_field_method method = Cross_field_method::REPRESENTATION;
-  std::vector<char> is_feature;  // per edge
-  std::vector<double> angle;     // per face
-  std::vector<int> period_jump;  // per edge
-  std::vector<int> index;        // per vertex
-  double released_length = 0;    // of detected feature edges that it need not follow
+  std::vector<char> is_feature; // per edge
+  std::vector<double> angle;    // per face
+  std::vector<int> period_jump; // per edge
+  std::vector<int> index;       // per vertex
+  double released_length = 0;   // of detected feature edges that it need not follow
   int singularities = 0, integers = 0;
   double energy = 0;
 };
@@ -45,8 +45,8 @@ struct Grid_map_attempt
   double energy = 0, relaxed_energy = 0;
 
   std::shared_ptr<Quadrangulation_quads> quads; // null: not extracted
-  bool is_simple = true; // its quads form a mesh
-  std::string message;   // of the extraction
+  bool is_simple = true;                        // its quads form a mesh
+  std::string message;                          // of the extraction
   std::size_t other_faces = 0, irregular_vertices = 0;
 
   std::size_t number_of_quads() const { return quads ? quads->mesh.number_of_faces() : 0; }

@@ -23,15 +23,9 @@ namespace internal {
 
 typedef std::optional<Grid_map_plan> Optional_plan;
 
-inline bool is_folded(const Grid_map_situation& s)
-{
-  return s.has_attempt && s.folded_triangles != 0;
-}
+inline bool is_folded(const Grid_map_situation& s) { return s.has_attempt && s.folded_triangles != 0; }
 
-inline bool is_unfolded(const Grid_map_situation& s)
-{
-  return s.has_attempt && s.folded_triangles == 0;
-}
+inline bool is_unfolded(const Grid_map_situation& s) { return s.has_attempt && s.folded_triangles == 0; }
 
 inline Optional_plan plan_as_requested(const Grid_map_situation& s)
 {
@@ -98,25 +92,19 @@ inline Optional_plan plan_nearer_number(const Grid_map_situation& s)
 CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans()
 {
   auto release = [](double radius)
-  {
-    return [radius](const Grid_map_situation& s) { return internal::plan_release(s, radius); };
-  };
+  { return [radius](const Grid_map_situation& s) { return internal::plan_release(s, radius); }; };
   auto finer = [](double relative_length)
-  {
-    return [relative_length](const Grid_map_situation& s) { return internal::plan_finer(s, relative_length); };
-  };
-  return {
-    { "as requested", internal::plan_as_requested },
-    { "other length", internal::plan_other_length },
-    { "other field", internal::plan_other_field },
-    { "release within 2", release(2) },
-    { "release within 4", release(4) },
-    { "release within 8", release(8) },
-    { "finer", finer(0.95) },
-    { "still finer", finer(0.9) },
-    { "nearer number", internal::plan_nearer_number },
-    { "still nearer number", internal::plan_nearer_number }
-  };
+  { return [relative_length](const Grid_map_situation& s) { return internal::plan_finer(s, relative_length); }; };
+  return { { "as requested", internal::plan_as_requested },
+           { "other length", internal::plan_other_length },
+           { "other field", internal::plan_other_field },
+           { "release within 2", release(2) },
+           { "release within 4", release(4) },
+           { "release within 8", release(8) },
+           { "finer", finer(0.95) },
+           { "still finer", finer(0.9) },
+           { "nearer number", internal::plan_nearer_number },
+           { "still nearer number", internal::plan_nearer_number } };
 }
 
 } // namespace Quad_meshing

@@ -36,8 +36,8 @@ namespace internal {
 
 // Carries out the plans of a quadrangulation on one component, and keeps the best attempt.
 //
-// An attempt depends on nothing but its plan, the best attempt before it, and what is constant: the prepared triangles, the directions
-// and the options.
+// An attempt depends on nothing but its plan, the best attempt before it, and what is constant: the prepared triangles,
+// the directions and the options.
 class Grid_map_search
 {
   typedef Quadrangulation_mesh Mesh;
@@ -47,23 +47,24 @@ public:
   // The directions that the field should have, and what they weigh.
   struct Directions
   {
-    std::vector<std::optional<Quadrangulation_kernel::Vector_3> > direction; // per face
-    std::vector<double> weight; // per face; infinite: hard
+    std::vector<std::optional<Quadrangulation_kernel::Vector_3>> direction; // per face
+    std::vector<double> weight;                                             // per face; infinite: hard
   };
 
   struct Options
   {
     const Quadrangulation_options& quadrangulation;
-    double length;             // of a quad edge
-    double releasable_length;  // of the feature edges that may be released
-    double requested_quads;    // in this component; 0: an edge length was asked for
-    double number_of_quads;    // that the length stands for
+    double length;            // of a quad edge
+    double releasable_length; // of the feature edges that may be released
+    double requested_quads;   // in this component; 0: an edge length was asked for
+    double number_of_quads;   // that the length stands for
   };
 
   Grid_map_search(const Quadrangulation_surface& surface, const Directions& directions, const Options& options,
                   Pipeline_visitor& visitor)
     : m_surface(surface), m_directions(directions), m_options(options), m_visitor(visitor)
-  {}
+  {
+  }
 
   // The times and the number of attempts of all plans.
   Quadrangulation_result figures;
@@ -162,13 +163,16 @@ private:
   // The edges near the folded triangles of an attempt; returns their length.
   double release(const Grid_map_attempt& attempt, double radius, std::vector<char>& is_feature) const
   {
-    return release_features(m_surface.mesh, attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding,
+    return release_features(m_surface.mesh,
+                            attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding,
                             radius, map_of(boost::edge_index, is_feature));
   }
 
-  // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there is hardly one
-  // to be found: then the feature edges are given up, all of them. Few singularities may be as close as they like.
-  std::shared_ptr<const Field_attempt> field_with_room(Cross_field_method method, const std::vector<char>& is_feature, double released)
+  // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there
+  // is hardly one to be found: then the feature edges are given up, all of them. Few singularities may be as close as
+  // they like.
+  std::shared_ptr<const Field_attempt> field_with_room(Cross_field_method method, const std::vector<char>& is_feature,
+                                                       double released)
   {
     std::shared_ptr<const Field_attempt> field = compute_field(method, is_feature, released);
     if(field && !has_room(*field) && m_options.releasable_length > released)
@@ -176,9 +180,11 @@ private:
     if(!field || has_room(*field))
       return field;
     figures.singularities = field->singularities;
-    figures.released_feature_share = m_options.releasable_length > 0 ? field->released_length / m_options.releasable_length : 0;
-    fail(Status::FAILED, "The cross field has " + std::to_string(field->singularities) + " singularities: too many for about " +
-                         std::to_string(std::lround(m_options.number_of_quads)) + " quads. More quads may help.");
+    figures.released_feature_share =
+      m_options.releasable_length > 0 ? field->released_length / m_options.releasable_length : 0;
+    fail(Status::FAILED, "The cross field has " + std::to_string(field->singularities) +
+                           " singularities: too many for about " +
+                           std::to_string(std::lround(m_options.number_of_quads)) + " quads. More quads may help.");
     return nullptr;
   }
 
@@ -194,7 +200,8 @@ private:
     message = m;
   }
 
-  std::shared_ptr<const Field_attempt> compute_field(Cross_field_method method, const std::vector<char>& is_feature, double released)
+  std::shared_ptr<const Field_attempt> compute_field(Cross_field_method method, const std::vector<char>& is_feature,
+                                                     double released)
   {
     const Mesh& mesh = m_surface.mesh;
     auto field = std::make_shared<Field_attempt>();
@@ -242,16 +249,16 @@ private:
     attempt->field = field;
     attempt->relative_length = relative_length;
     attempt->uv.resize(m_surface.mesh.number_of_halfedges());
-    const Integer_grid_map_result r =
-      integer_grid_map(m_surface.mesh, map_of(boost::face_index, field->angle), map_of(boost::edge_index, field->period_jump),
-                       map_of(boost::vertex_index, field->index), map_of(boost::halfedge_index, attempt->uv),
-                       parameters::target_edge_length(relative_length * m_options.length)
-                         .edge_is_constrained_map(map_of(boost::edge_index, field->is_feature))
-                         .align_boundary(o.align_boundary)
-                         .rounding_method(o.rounding_method)
-                         .anisotropy_weight(o.anisotropy_weight)
-                         .number_of_threads(o.number_of_threads)
-                         .visitor(std::ref(m_visitor)));
+    const Integer_grid_map_result r = integer_grid_map(
+      m_surface.mesh, map_of(boost::face_index, field->angle), map_of(boost::edge_index, field->period_jump),
+      map_of(boost::vertex_index, field->index), map_of(boost::halfedge_index, attempt->uv),
+      parameters::target_edge_length(relative_length * m_options.length)
+        .edge_is_constrained_map(map_of(boost::edge_index, field->is_feature))
+        .align_boundary(o.align_boundary)
+        .rounding_method(o.rounding_method)
+        .anisotropy_weight(o.anisotropy_weight)
+        .number_of_threads(o.number_of_threads)
+        .visitor(std::ref(m_visitor)));
     ++figures.parameterization_attempts;
     figures.parameterization_seconds += r.seconds;
     if(r.status == Integer_grid_map_status::STOPPED)
@@ -303,8 +310,8 @@ private:
     attempt.other_faces = r.other_faces;
     attempt.irregular_vertices = r.irregular_vertices + r.irregular_border_vertices;
     attempt.is_simple = r.status != Quad_extraction_status::NOT_SIMPLE;
-    transfer_feature_edges(m_surface.mesh, map_of(boost::edge_index, attempt.field->is_feature), quads->mesh, quads->location,
-                           quads->is_feature);
+    transfer_feature_edges(m_surface.mesh, map_of(boost::edge_index, attempt.field->is_feature), quads->mesh,
+                           quads->location, quads->is_feature);
     attempt.quads = quads;
     return true;
   }

@@ -20,15 +20,14 @@ namespace Quad_meshing {
 namespace internal {
 
 // A visitor with a time limit, that several threads may talk to. It knows who asked for the end.
-class Pipeline_visitor
-  : public Any_visitor
+class Pipeline_visitor : public Any_visitor
 {
   typedef std::chrono::steady_clock Clock;
 
 public:
-  Pipeline_visitor(Any_visitor& visitor, double seconds)
-    : m_visitor(visitor), m_start(Clock::now()), m_seconds(seconds)
-  {}
+  Pipeline_visitor(Any_visitor& visitor, double seconds) : m_visitor(visitor), m_start(Clock::now()), m_seconds(seconds)
+  {
+  }
 
   void on_stage_begin(const std::string& name) override
   {

@@ -39,18 +39,17 @@ class Surface_components
   typedef std::array<int, 3> Triangle;
 
 public:
-  std::vector<std::unique_ptr<Quadrangulation_surface> > surfaces; // those with the smallest points come first
+  std::vector<std::unique_ptr<Quadrangulation_surface>> surfaces; // those with the smallest points come first
   std::size_t number_of_divided_vertices = 0;
   std::string error; // a sentence; empty if all went well
 
-  explicit Surface_components(const Triangle_input& input)
-    : m_input(input)
+  explicit Surface_components(const Triangle_input& input) : m_input(input)
   {
     if(!match_sides())
       return;
     find_components();
     number_vertices();
-    const std::vector<std::vector<Face> > components = sorted_components();
+    const std::vector<std::vector<Face>> components = sorted_components();
     for(const std::vector<Face>& faces : components)
     {
       surfaces.push_back(std::make_unique<Quadrangulation_surface>());
@@ -63,8 +62,8 @@ private:
   struct Face
   {
     Triangle corners;
-    int number;      // in the input
-    int first_side;  // of the input's triangle, that starts at the first corner
+    int number;     // in the input
+    int first_side; // of the input's triangle, that starts at the first corner
 
     bool operator<(const Face& f) const { return std::tie(corners, number) < std::tie(f.corners, f.number); }
   };
@@ -84,13 +83,14 @@ private:
       const int a = vertex(s), b = vertex(next(s));
       return std::make_pair((std::min)(a, b), (std::max)(a, b));
     };
-    std::sort(order.begin(), order.end(), [&](int s, int t)
-    {
+    std::sort(order.begin(), order.end(),
+              [&](int s, int t)
+              {
       const std::pair<int, int> a = ends(s), b = ends(t);
       return a != b ? a < b : s < t;
     });
     m_opposite.assign(ns, -1);
-    for(int i = 0; i < ns; )
+    for(int i = 0; i < ns;)
     {
       int j = i + 1;
       while(j < ns && ends(order[j]) == ends(order[i]))
@@ -147,14 +147,15 @@ private:
     std::vector<Z_curve> curves;
     for(int c = 0; c < m_number_of_components; ++c)
       curves.emplace_back(boxes[c], sizes[c]);
-    std::vector<std::pair<std::array<int, 2>, int> > keys; // component and cell of its curve, root
+    std::vector<std::pair<std::array<int, 2>, int>> keys; // component and cell of its curve, root
     for(int r : roots)
     {
       const int c = m_component[r / 3];
-      keys.push_back({ {{ c, curves[c].cell(point(r)) }}, r });
+      keys.push_back({ { { c, curves[c].cell(point(r)) } }, r });
     }
-    std::sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b)
-    {
+    std::sort(keys.begin(), keys.end(),
+              [&](const auto& a, const auto& b)
+              {
       if(a.first != b.first)
         return a.first < b.first;
       if(point(a.second) != point(b.second))
@@ -192,8 +193,9 @@ private:
     for(int f = 0; f < number_of_faces(); ++f)
       if(sets.find(f) == f)
         roots.push_back(f);
-    std::sort(roots.begin(), roots.end(), [&](int a, int b)
-    {
+    std::sort(roots.begin(), roots.end(),
+              [&](int a, int b)
+              {
       const auto& p = point(smallest[a]);
       const auto& q = point(smallest[b]);
       return p != q ? p < q : a < b;
@@ -207,9 +209,9 @@ private:
       m_component[f] = component_of_root[sets.find(f)];
   }
 
-  std::vector<std::vector<Face> > sorted_components() const
+  std::vector<std::vector<Face>> sorted_components() const
   {
-    std::vector<std::vector<Face> > components(m_number_of_components);
+    std::vector<std::vector<Face>> components(m_number_of_components);
     for(int f = 0; f < number_of_faces(); ++f)
     {
       int first = 0;
@@ -241,7 +243,8 @@ private:
       surface.mesh.add_vertex(m_points[v]);
     auto index = [&](int v)
     {
-      return Mesh::Vertex_index(static_cast<Mesh::size_type>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
+      return Mesh::Vertex_index(
+        static_cast<Mesh::size_type>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
     };
     for(const Face& f : faces)
     {
@@ -261,8 +264,8 @@ private:
   const Triangle_input& m_input;
   std::vector<int> m_opposite; // per side, -1 on the border
   int m_number_of_components = 0;
-  std::vector<int> m_component; // per face
-  std::vector<int> m_corner;   // per side: the new vertex that it starts at
+  std::vector<int> m_component;                          // per face
+  std::vector<int> m_corner;                             // per side: the new vertex that it starts at
   std::vector<Quadrangulation_kernel::Point_3> m_points; // per new vertex
 };
 

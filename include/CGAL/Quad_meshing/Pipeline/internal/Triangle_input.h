@@ -27,13 +27,14 @@ namespace internal {
 
 // What a quadrangulation starts from, in flat arrays. Faces have the numbers that they have in `faces(tm)`.
 //
-// Corner k of a triangle is the source of the k-th halfedge from `halfedge(f, tm)` on; side k runs from corner k to k + 1.
+// Corner k of a triangle is the source of the k-th halfedge from `halfedge(f, tm)` on; side k runs from corner k to k
+// + 1.
 struct Triangle_input
 {
   std::vector<Quadrangulation_kernel::Point_3> points;
-  std::vector<std::array<int, 3> > triangles;
-  std::vector<std::array<char, 3> > is_feature; // per triangle and side; empty: to be detected
-  std::vector<std::optional<Quadrangulation_kernel::Vector_3> > directions; // per triangle; empty: none is given
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<char, 3>> is_feature; // per triangle and side; empty: to be detected
+  std::vector<std::optional<Quadrangulation_kernel::Vector_3>> directions; // per triangle; empty: none is given
 
   bool has_features() const { return !is_feature.empty(); }
 };
@@ -52,7 +53,7 @@ Triangle_input triangle_input(const TriangleMesh& tm, VertexPointMap vpm)
   for(auto f : faces(tm))
   {
     const auto h = halfedge(f, tm);
-    input.triangles.push_back({{ numbers[source(h, tm)], numbers[target(h, tm)], numbers[target(next(h, tm), tm)] }});
+    input.triangles.push_back({ { numbers[source(h, tm)], numbers[target(h, tm)], numbers[target(next(h, tm), tm)] } });
   }
   return input;
 }

@@ -29,7 +29,7 @@ inline std::array<double, 3> triangle_weights(const Quadrangulation_kernel::Poin
 {
   const auto n = cross_product(t[1] - t[0], t[2] - t[0]);
   const double area = n * n;
-  std::array<double, 3> w = {{ 0, 0, 0 }};
+  std::array<double, 3> w = { { 0, 0, 0 } };
   if(!(area > 0))
   {
     int nearest = 0;
@@ -50,18 +50,20 @@ inline std::array<double, 3> triangle_weights(const Quadrangulation_kernel::Poin
   return w;
 }
 
-// Where a place on the prepared triangles lies on the input: the number of its face and the weights of that face's corners.
-inline std::pair<std::size_t, std::array<double, 3> >
-locate_on_input(const Triangle_input& input, const Quadrangulation_surface& surface, const Quadrangulation_quads::Location& location)
+// Where a place on the prepared triangles lies on the input: the number of its face and the weights of that face's
+// corners.
+inline std::pair<std::size_t, std::array<double, 3>> locate_on_input(const Triangle_input& input,
+                                                                     const Quadrangulation_surface& surface,
+                                                                     const Quadrangulation_quads::Location& location)
 {
   typedef Quadrangulation_mesh Mesh;
   const Mesh& mesh = surface.mesh;
   const Mesh::Halfedge_index h = mesh.halfedge(location.first);
-  const auto p = CGAL::barycenter(mesh.point(mesh.source(h)), location.second[0], mesh.point(mesh.target(h)), location.second[1],
-                                  mesh.point(mesh.target(mesh.next(h))), location.second[2]);
+  const auto p = CGAL::barycenter(mesh.point(mesh.source(h)), location.second[0], mesh.point(mesh.target(h)),
+                                  location.second[1], mesh.point(mesh.target(mesh.next(h))), location.second[2]);
   const std::size_t i = surface.origin[location.first];
   const std::array<int, 3>& c = input.triangles[i];
-  return std::make_pair(i, triangle_weights(p, {{ input.points[c[0]], input.points[c[1]], input.points[c[2]] }}));
+  return std::make_pair(i, triangle_weights(p, { { input.points[c[0]], input.points[c[1]], input.points[c[2]] } }));
 }
 
 } // namespace internal

@@ -21,32 +21,33 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Unmarks the feature edges with an end within a distance of some faces, measured along edges. Returns their length. `is_feature` has
-// the edges as keys.
+// Unmarks the feature edges with an end within a distance of some faces, measured along edges. Returns their length.
+// `is_feature` has the edges as keys.
 template <typename EdgeIsFeatureMap>
-double release_features(const Quadrangulation_mesh& mesh, const std::vector<Quadrangulation_mesh::Face_index>& faces_without_room,
-                        double radius, EdgeIsFeatureMap is_feature)
+double release_features(const Quadrangulation_mesh& mesh,
+                        const std::vector<Quadrangulation_mesh::Face_index>& faces_without_room, double radius,
+                        EdgeIsFeatureMap is_feature)
 {
   typedef Quadrangulation_mesh Mesh;
 
   auto length = [&](Mesh::Halfedge_index h)
-  {
-    return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-  };
+  { return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))); };
   Distance_front front(static_cast<int>(mesh.num_vertices()));
   for(Mesh::Face_index f : faces_without_room)
     for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
       front.reach(static_cast<int>(v), 0);
   int i;
   for(double d; front.pop(i, d);)
-    for(Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(Mesh::Vertex_index(static_cast<Mesh::size_type>(i)))))
+    for(Mesh::Halfedge_index h :
+        mesh.halfedges_around_target(mesh.halfedge(Mesh::Vertex_index(static_cast<Mesh::size_type>(i)))))
       if(d + length(h) <= radius)
         front.reach(static_cast<int>(mesh.source(h)), d + length(h));
   double released = 0;
   for(Mesh::Edge_index e : mesh.edges())
   {
     const Mesh::Halfedge_index h = mesh.halfedge(e);
-    if(get(is_feature, e) && (front.is_reached(static_cast<int>(mesh.source(h))) || front.is_reached(static_cast<int>(mesh.target(h)))))
+    if(get(is_feature, e) &&
+       (front.is_reached(static_cast<int>(mesh.source(h))) || front.is_reached(static_cast<int>(mesh.target(h)))))
     {
       put(is_feature, e, false);
       released += length(h);

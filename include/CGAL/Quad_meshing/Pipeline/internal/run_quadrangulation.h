@@ -22,18 +22,20 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Quadrangulates the components of the input one by one and joins the results. `surface` and `quads` receive them; they are empty
-// where there is no result.
-CGAL_QUAD_MESHING_INLINE Quadrangulation_result
-run_quadrangulation(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor,
-                    std::unique_ptr<Quadrangulation_surface>& surface, std::unique_ptr<Quadrangulation_quads>& quads);
+// Quadrangulates the components of the input one by one and joins the results. `surface` and `quads` receive them; they
+// are empty where there is no result.
+CGAL_QUAD_MESHING_INLINE Quadrangulation_result run_quadrangulation(const Triangle_input& input,
+                                                                    const Quadrangulation_options& options,
+                                                                    Any_visitor& visitor,
+                                                                    std::unique_ptr<Quadrangulation_surface>& surface,
+                                                                    std::unique_ptr<Quadrangulation_quads>& quads);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation_impl.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RUN_QUADRANGULATION_H

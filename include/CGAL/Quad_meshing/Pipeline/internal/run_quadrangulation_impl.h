@@ -38,9 +38,11 @@ class Quadrangulation_run
 public:
   Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor)
     : m_input(input), m_options(options), m_visitor(visitor, options.maximum_running_time)
-  {}
+  {
+  }
 
-  Quadrangulation_result run(std::unique_ptr<Quadrangulation_surface>& surface, std::unique_ptr<Quadrangulation_quads>& quads)
+  Quadrangulation_result run(std::unique_ptr<Quadrangulation_surface>& surface,
+                             std::unique_ptr<Quadrangulation_quads>& quads)
   {
     Real_timer timer;
     timer.start();
@@ -106,8 +108,8 @@ private:
     return true;
   }
 
-  // All components get quads of one size. Where several are asked for together, one that is too small for a mesh of such quads
-  // gets smaller ones.
+  // All components get quads of one size. Where several are asked for together, one that is too small for a mesh of
+  // such quads gets smaller ones.
   bool choose_lengths()
   {
     double area = 0;
@@ -122,15 +124,17 @@ private:
     }
     if(!(area > 0))
       return refuse("The mesh has no area.");
-    const double length = asks_for_number() ? std::sqrt(area / m_options.target_number_of_quads) : m_options.target_edge_length;
-    const double most_quads = 5e7; // vertices and faces of a mesh are numbered by 32 bits, halfedges in four times as many places
+    const double length =
+      asks_for_number() ? std::sqrt(area / m_options.target_number_of_quads) : m_options.target_edge_length;
+    const double most_quads =
+      5e7; // vertices and faces of a mesh are numbered by 32 bits, halfedges in four times as many places
     if(area / (length * length) > most_quads)
-      return refuse(asks_for_number() ? "More than 50 million quads are asked for." :
-                                        "The target edge length asks for more than 50 million quads.");
+      return refuse(asks_for_number() ? "More than 50 million quads are asked for."
+                                      : "The target edge length asks for more than 50 million quads.");
     const double diagonal = std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
     if(length > diagonal)
-      return refuse(asks_for_number() ? "The quads that are asked for are so few that one is larger than the model." :
-                                        "The target edge length is larger than the model.");
+      return refuse(asks_for_number() ? "The quads that are asked for are so few that one is larger than the model."
+                                      : "The target edge length is larger than the model.");
     m_result.target_edge_length = length;
     const double least_quads = 24; // four on each side of a cube
     for(double a : areas)
@@ -154,12 +158,12 @@ private:
     if(workers > 1)
       options.number_of_threads = 1;
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
-      m_components.push_back(std::make_unique<Component_quadrangulation>(*m_surfaces[i], m_requests[i], m_input.directions, options,
-                                                                         m_visitor));
+      m_components.push_back(std::make_unique<Component_quadrangulation>(*m_surfaces[i], m_requests[i],
+                                                                         m_input.directions, options, m_visitor));
     std::atomic<std::size_t> next(0);
     auto work = [&]
     {
-      for(std::size_t i; (i = next++) < m_components.size(); )
+      for(std::size_t i; (i = next++) < m_components.size();)
         m_components[i]->run();
     };
     std::vector<std::thread> others;
@@ -228,9 +232,9 @@ private:
       m_result.status = Status::VALID;
       m_result.message = "A pure quad mesh with the topology of the input";
       if(is_for_other_length)
-        m_result.message += m_components.size() == 1 ?
-          ", for edges of length " + std::to_string(relative_length) + " times the one asked for" :
-          ", some components for edges of another length than asked for";
+        m_result.message += m_components.size() == 1
+                              ? ", for edges of length " + std::to_string(relative_length) + " times the one asked for"
+                              : ", some components for edges of another length than asked for";
     }
     else if(m_components.size() == 1)
     {
@@ -296,28 +300,33 @@ private:
   void add_remarks()
   {
     if(m_result.released_feature_share != 0)
-      m_result.message += "; " + std::to_string(std::lround(100 * m_result.released_feature_share)) +
-                          " percent of the length of the sharp edges left no room for quads along them and were not followed";
+      m_result.message +=
+        "; " + std::to_string(std::lround(100 * m_result.released_feature_share)) +
+        " percent of the length of the sharp edges left no room for quads along them and were not followed";
     if(m_result.folded_quads != 0)
       m_result.message += "; " + std::to_string(m_result.folded_quads) +
                           (m_result.folded_quads == 1 ? " quad is" : " quads are") + " inverted";
     if(m_result.refined_components != 0)
       m_result.message += "; " + std::to_string(m_result.refined_components) +
-                          (m_result.refined_components == 1 ? " small component has" : " small components have") + " smaller quads";
+                          (m_result.refined_components == 1 ? " small component has" : " small components have") +
+                          " smaller quads";
     if(m_result.divided_vertices != 0)
       m_result.message += "; " + std::to_string(m_result.divided_vertices) +
-                          (m_result.divided_vertices == 1 ? " vertex in which borders touch was" : " vertices in which borders touch were") +
+                          (m_result.divided_vertices == 1 ? " vertex in which borders touch was"
+                                                          : " vertices in which borders touch were") +
                           " divided";
     if(m_visitor.is_time_up() && m_result.quads > 0)
       m_result.message += "; the time limit ended the search for a better one";
     const double quads = static_cast<double>(m_result.quads + m_result.other_faces);
-    if(asks_for_number() && m_result.quads > 0 && m_result.failed_components == 0 && !is_as_promised(quads, m_options.target_number_of_quads))
-      m_result.message += "; " + std::to_string(m_result.quads) + " quads instead of " +
-                          std::to_string(std::lround(m_options.target_number_of_quads)) +
-                          (quads > m_options.target_number_of_quads ?
-                             ", as narrow places between features, borders and singularities need at least a quad each" :
-                             m_options.optimize_structure ? ", as the coarser structure has room for no more" :
-                             ", as rounding to whole quads found no number nearer to it");
+    if(asks_for_number() && m_result.quads > 0 && m_result.failed_components == 0 &&
+       !is_as_promised(quads, m_options.target_number_of_quads))
+      m_result.message +=
+        "; " + std::to_string(m_result.quads) + " quads instead of " +
+        std::to_string(std::lround(m_options.target_number_of_quads)) +
+        (quads > m_options.target_number_of_quads
+           ? ", as narrow places between features, borders and singularities need at least a quad each"
+         : m_options.optimize_structure ? ", as the coarser structure has room for no more"
+                                        : ", as rounding to whole quads found no number nearer to it");
   }
 
   static std::string without_period(std::string sentence)
@@ -331,14 +340,16 @@ private:
   const Quadrangulation_options& m_options;
   Pipeline_visitor m_visitor;
   Quadrangulation_result m_result;
-  std::vector<std::unique_ptr<Quadrangulation_surface> > m_surfaces;
+  std::vector<std::unique_ptr<Quadrangulation_surface>> m_surfaces;
   std::vector<Component_request> m_requests;
-  std::vector<std::unique_ptr<Component_quadrangulation> > m_components;
+  std::vector<std::unique_ptr<Component_quadrangulation>> m_components;
 };
 
-CGAL_QUAD_MESHING_INLINE Quadrangulation_result
-run_quadrangulation(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor,
-                    std::unique_ptr<Quadrangulation_surface>& surface, std::unique_ptr<Quadrangulation_quads>& quads)
+CGAL_QUAD_MESHING_INLINE Quadrangulation_result run_quadrangulation(const Triangle_input& input,
+                                                                    const Quadrangulation_options& options,
+                                                                    Any_visitor& visitor,
+                                                                    std::unique_ptr<Quadrangulation_surface>& surface,
+                                                                    std::unique_ptr<Quadrangulation_quads>& quads)
 {
   return Quadrangulation_run(input, options, visitor).run(surface, quads);
 }

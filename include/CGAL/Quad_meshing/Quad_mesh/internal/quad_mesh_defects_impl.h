@@ -23,7 +23,7 @@ namespace internal {
 
 CGAL_QUAD_MESHING_INLINE Quad_mesh_defects defects_of_polygons(const Flat_polygons& polygons)
 {
-  const std::vector<std::size_t> &first_corner = polygons.first_corner, &vertex_of_corner = polygons.vertex_of_corner;
+  const std::vector<std::size_t>&first_corner = polygons.first_corner, &vertex_of_corner = polygons.vertex_of_corner;
   const std::size_t n = polygons.number_of_points;
   Quad_mesh_defects d;
   d.invalid_coordinates = polygons.invalid_coordinates;
@@ -36,7 +36,10 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_defects defects_of_polygons(const Flat_polygo
     bool is_ascending;
     bool operator<(const Side& s) const
     {
-      return low != s.low ? low < s.low : high != s.high ? high < s.high : face != s.face ? face < s.face : corner < s.corner;
+      return low != s.low     ? low < s.low
+             : high != s.high ? high < s.high
+             : face != s.face ? face < s.face
+                              : corner < s.corner;
     }
   };
   std::vector<Side> sides;
@@ -71,15 +74,15 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_defects defects_of_polygons(const Flat_polygo
   std::sort(sides.begin(), sides.end());
   for(std::size_t i = 0, j; i < sides.size(); i = j)
   {
-    for(j = i + 1; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {}
+    for(j = i + 1; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j)
+    {
+    }
     d.non_manifold_edges += j - i > 2;
     d.inconsistent_edges += j - i == 2 && sides[i].is_ascending == sides[i + 1].is_ascending;
     for(std::size_t k = i + 1; k < j; ++k)
     {
       auto behind = [&](const Side& s)
-      {
-        return s.corner + 1 == first_corner[s.face + 1] ? first_corner[s.face] : s.corner + 1;
-      };
+      { return s.corner + 1 == first_corner[s.face + 1] ? first_corner[s.face] : s.corner + 1; };
       const std::size_t a[2] = { sides[i].corner, behind(sides[i]) }, b[2] = { sides[k].corner, behind(sides[k]) };
       const bool same = sides[i].is_ascending == sides[k].is_ascending;
       for(int e = 0; e < 2; ++e)

@@ -31,8 +31,8 @@ namespace internal {
 
 // The share of the length of some segments that lies on edges of a quad mesh: within a tenth of the
 // mean edge length, and along an edge that differs by less than 25 degrees in direction.
-inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2> >& segments,
-                             const std::vector<std::array<Shape_point_3, 2> >& edges, double mean_edge)
+inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2>>& segments,
+                             const std::vector<std::array<Shape_point_3, 2>>& edges, double mean_edge)
 {
   constexpr double tolerance = 0.1, sample_step = 0.1, largest_turn = 25;
   const double reach = tolerance * mean_edge, cosine = std::cos(largest_turn * CGAL_PI / 180);
@@ -41,10 +41,10 @@ inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2> >& s
   typedef std::array<int, 3> Cell;
   auto cell_of = [&](const Shape_point_3& p)
   {
-    return Cell{{ static_cast<int>(std::floor(p.x() / mean_edge)), static_cast<int>(std::floor(p.y() / mean_edge)),
-                  static_cast<int>(std::floor(p.z() / mean_edge)) }};
+    return Cell{ { static_cast<int>(std::floor(p.x() / mean_edge)), static_cast<int>(std::floor(p.y() / mean_edge)),
+                   static_cast<int>(std::floor(p.z() / mean_edge)) } };
   };
-  std::map<Cell, std::vector<int> > grid;
+  std::map<Cell, std::vector<int>> grid;
   for(std::size_t e = 0; e < edges.size(); ++e)
   {
     const Shape_vector_3 d = edges[e][1] - edges[e][0];
@@ -63,7 +63,7 @@ inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2> >& s
       for(int y = -1; y <= 1; ++y)
         for(int z = -1; z <= 1; ++z)
         {
-          const auto found = grid.find(Cell{{ c[0] + x, c[1] + y, c[2] + z }});
+          const auto found = grid.find(Cell{ { c[0] + x, c[1] + y, c[2] + z } });
           if(found == grid.end())
             continue;
           for(int e : found->second)
@@ -71,8 +71,8 @@ inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2> >& s
             const Shape_vector_3 d = edges[e][1] - edges[e][0];
             const double l = d.squared_length();
             const double t = l > 0 ? (std::min)(1., (std::max)(0., ((p - edges[e][0]) * d) / l)) : 0;
-            if(squared_distance(p, edges[e][0] + t * d) <= reach * reach
-               && CGAL::abs(d * direction) >= cosine * std::sqrt(l))
+            if(squared_distance(p, edges[e][0] + t * d) <= reach * reach &&
+               CGAL::abs(d * direction) >= cosine * std::sqrt(l))
               return true;
           }
         }
@@ -96,8 +96,8 @@ inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2> >& s
   return sum > 0 ? kept / sum : 1;
 }
 
-CGAL_QUAD_MESHING_INLINE Quad_mesh_deviation
-deviation_of_quad_mesh(const Indexed_quad_mesh& m, const Indexed_reference& original)
+CGAL_QUAD_MESHING_INLINE Quad_mesh_deviation deviation_of_quad_mesh(const Indexed_quad_mesh& m,
+                                                                    const Indexed_reference& original)
 {
   typedef Shape_point_3 Point_3;
   typedef Shape_vector_3 Vector_3;
@@ -109,7 +109,8 @@ deviation_of_quad_mesh(const Indexed_quad_mesh& m, const Indexed_reference& orig
   for(const std::array<int, 3>& c : t.corners)
     for(int v : c)
       box += t.points[v].bbox();
-  const double diagonal = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+  const double diagonal =
+    std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
   const double mean_edge = quality_of_quad_mesh(m).mean_edge_length;
 
   std::size_t samples = 0;
@@ -160,7 +161,7 @@ deviation_of_quad_mesh(const Indexed_quad_mesh& m, const Indexed_reference& orig
   {
     for(const std::array<int, 2>& s : curves)
     {
-      segments.push_back({{ t.points[s[0]], t.points[s[1]] }});
+      segments.push_back({ { t.points[s[0]], t.points[s[1]] } });
       length += std::sqrt(squared_distance(t.points[s[0]], t.points[s[1]])) / mean_edge;
     }
   };
@@ -169,7 +170,7 @@ deviation_of_quad_mesh(const Indexed_quad_mesh& m, const Indexed_reference& orig
   for(int h = 0; h < m.number_of_halfedges(); ++h)
     if(m.edge(h) == h)
     {
-      const Segment s{{ m.points[m.source(h)], m.points[m.target(h)] }};
+      const Segment s{ { m.points[m.source(h)], m.points[m.target(h)] } };
       edges_of_quads.push_back(s);
       if(m.is_border(h))
         boundary_of_quads.push_back(s);

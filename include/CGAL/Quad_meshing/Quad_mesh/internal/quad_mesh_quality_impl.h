@@ -29,7 +29,7 @@ namespace internal {
 inline Quad_shape shape_of_quad(const Indexed_quad_mesh& m, int f)
 {
   const std::array<int, 4>& c = m.corners[f];
-  return shape_of_quad({{ m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]] }});
+  return shape_of_quad({ { m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]] } });
 }
 
 CGAL_QUAD_MESHING_INLINE Quad_mesh_quality quality_of_quad_mesh(const Indexed_quad_mesh& m)
@@ -83,10 +83,10 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_quality quality_of_quad_mesh(const Indexed_qu
   return q;
 }
 
-CGAL_QUAD_MESHING_INLINE std::vector<std::pair<double, int> >
-worst_quads_of(const Indexed_quad_mesh& m, std::size_t number)
+CGAL_QUAD_MESHING_INLINE std::vector<std::pair<double, int>> worst_quads_of(const Indexed_quad_mesh& m,
+                                                                            std::size_t number)
 {
-  std::vector<std::pair<double, int> > order;
+  std::vector<std::pair<double, int>> order;
   for(int f = 0; f < m.number_of_faces(); ++f)
     order.emplace_back(shape_of_quad(m, f).minimal_scaled_jacobian(), f);
   number = (std::min)(number, order.size());

@@ -54,8 +54,8 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_structure structure_of_quad_mesh(const Indexe
       ++(on_border ? s.boundary_valences : s.inner_valences)[valence];
     }
   }
-  s.euler_characteristic = static_cast<int>(s.number_of_vertices) - static_cast<int>(s.number_of_edges)
-                         + static_cast<int>(s.number_of_quads);
+  s.euler_characteristic =
+    static_cast<int>(s.number_of_vertices) - static_cast<int>(s.number_of_edges) + static_cast<int>(s.number_of_quads);
 
   const Dual_lines lines(m);
   std::vector<char> crosses_itself(lines.number_of_lines(), 0);
@@ -117,7 +117,8 @@ CGAL_QUAD_MESHING_INLINE std::vector<Helix_of_quad_mesh> helices_of_quad_mesh(co
     helices.push_back(Helix_of_quad_mesh{ h, r.pitch, r.turn_length, r.length });
   }
   auto winding_number = [](const Helix_of_quad_mesh& h) { return double(h.length) / h.turn_length; };
-  std::stable_sort(helices.begin(), helices.end(), [&](const Helix_of_quad_mesh& a, const Helix_of_quad_mesh& b)
+  std::stable_sort(helices.begin(), helices.end(),
+                   [&](const Helix_of_quad_mesh& a, const Helix_of_quad_mesh& b)
                    { return winding_number(a) > winding_number(b); });
   return helices;
 }

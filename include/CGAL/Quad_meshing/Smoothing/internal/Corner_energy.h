@@ -36,7 +36,7 @@ struct Corner_energy
   // Weight w of the area part against the shape part.
   static constexpr double area_weight = 0.1;
 
-  double lengths, area;             // squared lengths of the sides, and D, which is linear in the position
+  double lengths, area; // squared lengths of the sides, and D, which is linear in the position
   Vector_3 lengths_gradient, area_gradient;
   double lengths_curvature;
 
@@ -57,9 +57,9 @@ struct Corner_energy
   {
     const Vector_3 a = p1 - p, b = p3 - p, s = p2 - p1, t = p2 - p3;
     const double aa = a * a, bb = b * b;
-    return {{ Corner_energy{ aa + bb, cross_product(a, b) * n, -2 * (a + b), cross_product(n, p3 - p1), 4 },
-              Corner_energy{ aa + s * s, cross_product(a, s) * n, -2 * a, cross_product(n, s), 2 },
-              Corner_energy{ bb + t * t, cross_product(t, b) * n, -2 * b, cross_product(t, n), 2 } }};
+    return { { Corner_energy{ aa + bb, cross_product(a, b) * n, -2 * (a + b), cross_product(n, p3 - p1), 4 },
+               Corner_energy{ aa + s * s, cross_product(a, s) * n, -2 * a, cross_product(n, s), 2 },
+               Corner_energy{ bb + t * t, cross_product(t, b) * n, -2 * b, cross_product(t, n), 2 } } };
   }
 };
 
@@ -78,8 +78,8 @@ public:
   Corner_energy_model(const Vector_3& u, const Vector_3& w) : u(u), w(w) {}
 
   double value() const { return m_value; }
-  std::array<double, 2> gradient() const { return {{ gu, gw }}; }
-  std::array<double, 3> hessian() const { return {{ huu, huw, hww }}; }   // its entries (u,u), (u,w), (w,w)
+  std::array<double, 2> gradient() const { return { { gu, gw } }; }
+  std::array<double, 3> hessian() const { return { { huu, huw, hww } }; } // its entries (u,u), (u,w), (w,w)
 
   void add(const Corner_energy& t, double aim, double epsilon)
   {
@@ -99,7 +99,8 @@ public:
     hww += t.lengths_curvature * c1 - 2 * c2 * nw * dw + c3 * dw * dw;
   }
 
-  // Newton's step with the absolute values of the eigenvalues, zero where there is none; along u only, and in the plane.
+  // Newton's step with the absolute values of the eigenvalues, zero where there is none; along u only, and in the
+  // plane.
   Vector_3 step_along_u() const { return huu == 0 ? Vector_3(0, 0, 0) : (-gu / CGAL::abs(huu)) * u; }
 
   Vector_3 step_in_plane() const
@@ -110,7 +111,7 @@ public:
     if(!(floor > 0))
       return Vector_3(0, 0, 0);
     const double e1 = (std::max)(CGAL::abs(mean + radius), floor), e2 = (std::max)(CGAL::abs(mean - radius), floor);
-    double c = 1, s = 0;                     // unit eigenvector of mean + radius
+    double c = 1, s = 0; // unit eigenvector of mean + radius
     if(radius > 0)
     {
       const double angle = std::atan2(huw, half) / 2;

@@ -29,17 +29,17 @@ namespace internal {
 
 // Smooths a quad mesh on a reference surface by moving all vertices at once.
 //
-// If vertices have to go far together, the number of sweeps that move them one by one grows with the square of the distance in
-// quads. A step of Newton's method on the energy of all corners (see `Rectangle_energy`) needs one linear system, and takes
-// them as far as the tangent planes are close to the surface.
+// If vertices have to go far together, the number of sweeps that move them one by one grows with the square of the
+// distance in quads. A step of Newton's method on the energy of all corners (see `Rectangle_energy`) needs one linear
+// system, and takes them as far as the tangent planes are close to the surface.
 //
 // The vertices of quads that would fold, or become much worse, stay where they are; those of quads that pay much more
 // after a step than before it go shorter ways next time, as the system gets a larger diagonal there.
 class Global_quad_smoother : public Quad_smoother
 {
 public:
-  // A quad may not become worse than this, if it was better, and not worse at all if it was worse. Where so few quads are below
-  // `guarded_jacobian` at first, that is the limit.
+  // A quad may not become worse than this, if it was better, and not worse at all if it was worse. Where so few quads
+  // are below `guarded_jacobian` at first, that is the limit.
   static constexpr double least_jacobian = 0.5, few_bad_quads = 0.001;
   // Longest step at first, relative to the sides around the vertex, and its factor after a step that was of no use.
   static constexpr double longest_first_step = 2, shorter = 0.5;
@@ -56,7 +56,8 @@ public:
   {
     if(m_limit < 0)
     {
-      const double bad = std::count_if(m_jacobian.begin(), m_jacobian.end(), [](double j) { return j < guarded_jacobian; });
+      const double bad =
+        std::count_if(m_jacobian.begin(), m_jacobian.end(), [](double j) { return j < guarded_jacobian; });
       m_limit = bad <= few_bad_quads * m.number_of_faces() ? guarded_jacobian : least_jacobian;
     }
     update_scales();
@@ -106,13 +107,13 @@ public:
 
 private:
   typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int> > Preconditioner;
+  typedef Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> Preconditioner;
 
   // Of the linear systems: relative size of the residual, and number of steps.
   static constexpr double accuracy = 0.01;
   static constexpr int most_solver_steps = 1000;
-  // What the diagonal gets at least, and at first where a step was too long, relative to the energy of an edge; and by which
-  // factors it grows and falls.
+  // What the diagonal gets at least, and at first where a step was too long, relative to the energy of an edge; and by
+  // which factors it grows and falls.
   static constexpr double least_damping = 1e-6, first_damping = 0.3, more_damping = 10, less_damping = 0.3;
   // A step was too long if a quad pays more than this part more, and at least so much for each corner.
   static constexpr double tolerated_growth = 0.2, tolerated_rise = 0.02;
@@ -143,7 +144,7 @@ private:
   void number_unknowns()
   {
     m_frame.resize(m.number_of_vertices());
-    m_unknown.assign(m.number_of_vertices(), {{ -1, -1 }});
+    m_unknown.assign(m.number_of_vertices(), { { -1, -1 } });
     m_damping.resize(m.number_of_vertices(), 0);
     m_number_of_unknowns = 0;
     for(int v = 0; v < m.number_of_vertices(); ++v)
@@ -163,7 +164,7 @@ private:
     typedef Eigen::Matrix<double, 8, 1> Vector_8;
     typedef Eigen::Matrix<double, 8, 8> Matrix_8;
     m_gradient = Eigen::VectorXd::Zero(m_number_of_unknowns);
-    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(36 * m.number_of_faces() + m_number_of_unknowns);
     for(int f = 0; f < m.number_of_faces() && goes_on(f); ++f)
     {
@@ -215,8 +216,9 @@ private:
     m_matrix.setFromTriplets(entries.begin(), entries.end());
   }
 
-  // Newton's step by conjugate gradients, preconditioned by an incomplete factorization. Not `Eigen::ConjugateGradient`, which
-  // cannot be interrupted; the steps are the same. False if there is no factorization, or the visitor asks for an end.
+  // Newton's step by conjugate gradients, preconditioned by an incomplete factorization. Not
+  // `Eigen::ConjugateGradient`, which cannot be interrupted; the steps are the same. False if there is no
+  // factorization, or the visitor asks for an end.
   bool solve(Eigen::VectorXd& x) const
   {
     const Preconditioner preconditioner(m_matrix);
@@ -277,12 +279,14 @@ private:
     {
       const double energy = energy_of_quad(f);
       after += energy;
-      if(energy - energy_before[f] > tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least) + 4 * tolerated_rise)
+      if(energy - energy_before[f] >
+         tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least) + 4 * tolerated_rise)
         for(int v : m.corners[f])
           was_too_long[v] = 1;
     }
     for(int v = 0; v < nv; ++v)
-      m_damping[v] = was_too_long[v] ? (std::max)(first_damping, more_damping * m_damping[v]) : less_damping * m_damping[v];
+      m_damping[v] =
+        was_too_long[v] ? (std::max)(first_damping, more_damping * m_damping[v]) : less_damping * m_damping[v];
 
     if(after < before)
     {
@@ -297,7 +301,8 @@ private:
     return ++m_useless_steps < most_useless_steps;
   }
 
-  // Puts the vertices of quads that must not be as they are now back to where they were, as long as there are any; which ones.
+  // Puts the vertices of quads that must not be as they are now back to where they were, as long as there are any;
+  // which ones.
   std::vector<char> put_back()
   {
     std::vector<char> is_back(m.number_of_vertices(), 0);
@@ -329,9 +334,8 @@ private:
 
   bool is_allowed(int f)
   {
-    return m_jacobian[f] >= (std::min)(m_limit, m_jacobian_before[f])
-        && (m_jacobian_before[f] <= 0 || m_normal[f] * m_normal_before[f] > 0)
-        && (m_was_opposed[f] || !is_opposed(f));
+    return m_jacobian[f] >= (std::min)(m_limit, m_jacobian_before[f]) &&
+           (m_jacobian_before[f] <= 0 || m_normal[f] * m_normal_before[f] > 0) && (m_was_opposed[f] || !is_opposed(f));
   }
 
   double energy_of_quad(int f) const
@@ -339,22 +343,22 @@ private:
     const std::array<int, 4>& c = m.corners[f];
     double sum = 0;
     for(int k = 0; k < 4; ++k)
-      sum += Rectangle_energy::value(m.points[c[(k + 1) & 3]] - m.points[c[k]], m.points[c[(k + 3) & 3]] - m.points[c[k]],
-                                     m_normal[f], m_area[f]);
+      sum += Rectangle_energy::value(m.points[c[(k + 1) & 3]] - m.points[c[k]],
+                                     m.points[c[(k + 3) & 3]] - m.points[c[k]], m_normal[f], m_area[f]);
     return sum;
   }
 
-  std::vector<std::array<Vector_3, 2> > m_frame;      // per vertex: the directions in which it may go
-  std::vector<std::array<int, 2> > m_unknown;         // per vertex: how far along these, -1 where it may not
+  std::vector<std::array<Vector_3, 2>> m_frame; // per vertex: the directions in which it may go
+  std::vector<std::array<int, 2>> m_unknown;    // per vertex: how far along these, -1 where it may not
   int m_number_of_unknowns = 0;
   Eigen::VectorXd m_gradient;
-  Matrix m_matrix;                                    // its lower triangle
-  std::vector<double> m_damping;                      // per vertex
-  double m_limit = -1;                                // for Jacobians, set in the first step
+  Matrix m_matrix;               // its lower triangle
+  std::vector<double> m_damping; // per vertex
+  double m_limit = -1;           // for Jacobians, set in the first step
   double m_longest_step = longest_first_step;
   int m_useless_steps = 0;
 
-  std::vector<Point_3> m_points_before;               // the mesh before a step
+  std::vector<Point_3> m_points_before; // the mesh before a step
   std::vector<int> m_place_before;
   std::vector<Vector_3> m_normal_before;
   std::vector<double> m_jacobian_before;

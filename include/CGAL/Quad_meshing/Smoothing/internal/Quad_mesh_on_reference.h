@@ -35,11 +35,16 @@ public:
   // What has just been unfolded needs more freedom.
   static constexpr double guarded_jacobian = 0.7, guarded_when_unfolding = 0.2;
 
-  enum Vertex_kind : char { fixed, on_surface, on_feature, on_border };
+  enum Vertex_kind : char
+  {
+    fixed,
+    on_surface,
+    on_feature,
+    on_border
+  };
 
-  Quad_mesh_on_reference(Indexed_quad_mesh& mesh, Reference_surface& surface,
-                         Reference_curves& features, Reference_curves& borders,
-                         const std::vector<char>& is_fixed_vertex, Any_visitor& visitor)
+  Quad_mesh_on_reference(Indexed_quad_mesh& mesh, Reference_surface& surface, Reference_curves& features,
+                         Reference_curves& borders, const std::vector<char>& is_fixed_vertex, Any_visitor& visitor)
     : m(mesh), surface(surface), features(features), borders(borders), m_visitor(visitor)
   {
     m_was_unfolded.assign(m.number_of_vertices(), 0);
@@ -83,8 +88,9 @@ public:
     }
   }
 
-  // Puts the vertices that were left off their reference, as they would have folded something there, onto it now that their
-  // neighbours have moved, however much worse, but not folded, the quads around them become. Returns whether one has moved.
+  // Puts the vertices that were left off their reference, as they would have folded something there, onto it now that
+  // their neighbours have moved, however much worse, but not folded, the quads around them become. Returns whether one
+  // has moved.
   bool project_leftovers()
   {
     bool any = false;
@@ -188,9 +194,9 @@ protected:
       if(is_fixed_vertex[v] || m_first[v] == m_first[v + 1])
         m_kind[v] = fixed;
       else if(feature_degree[v] + border_degree[v] != 0)
-        m_kind[v] = border_degree[v] == 2 && feature_degree[v] == 0 && !borders.empty() ? on_border
-                  : feature_degree[v] == 2 && border_degree[v] == 0 && !features.empty() ? on_feature
-                  : fixed;
+        m_kind[v] = border_degree[v] == 2 && feature_degree[v] == 0 && !borders.empty()    ? on_border
+                    : feature_degree[v] == 2 && border_degree[v] == 0 && !features.empty() ? on_feature
+                                                                                           : fixed;
   }
 
   // The mean squared side around a vertex, and from there around a quad: the area its corners aim at.
@@ -222,8 +228,8 @@ protected:
   void update_face(int f)
   {
     const std::array<int, 4>& c = m.corners[f];
-    m_jacobian[f] = minimal_scaled_jacobian(m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]],
-                                            m_normal[f]);
+    m_jacobian[f] =
+      minimal_scaled_jacobian(m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]], m_normal[f]);
   }
 
   void move(int v, const Point_3& p)
@@ -282,15 +288,15 @@ protected:
   Reference_curves& borders;
   Any_visitor& m_visitor;
 
-  std::vector<int> m_first, m_corner;     // per vertex: the halfedges that leave it, border or not
-  std::vector<Vertex_kind> m_kind;        // per vertex
-  std::vector<int> m_place;               // per vertex: the face, or curve segment, it lies on
-  std::vector<char> m_is_off;             // per vertex: it is not there yet, as that would fold something
-  std::vector<double> m_scale;            // per vertex: mean squared side around it
-  std::vector<double> m_area;             // per face: the area its corners aim at
-  std::vector<Vector_3> m_normal;         // per face: unit; of the quad, or of the surface while unfolding
-  std::vector<double> m_jacobian;         // per face: minimal scaled Jacobian
-  std::vector<char> m_was_unfolded;       // per vertex: lay close to a fold
+  std::vector<int> m_first, m_corner; // per vertex: the halfedges that leave it, border or not
+  std::vector<Vertex_kind> m_kind;    // per vertex
+  std::vector<int> m_place;           // per vertex: the face, or curve segment, it lies on
+  std::vector<char> m_is_off;         // per vertex: it is not there yet, as that would fold something
+  std::vector<double> m_scale;        // per vertex: mean squared side around it
+  std::vector<double> m_area;         // per face: the area its corners aim at
+  std::vector<Vector_3> m_normal;     // per face: unit; of the quad, or of the surface while unfolding
+  std::vector<double> m_jacobian;     // per face: minimal scaled Jacobian
+  std::vector<char> m_was_unfolded;   // per vertex: lay close to a fold
 };
 
 } // namespace internal

@@ -27,8 +27,8 @@ namespace internal {
 
 // Smooths a quad mesh on a reference surface, vertex by vertex.
 //
-// Every corner of a quad pays its energy, which is least for a square corner with the mean area of its neighbourhood, see
-// `Corner_energy`.
+// Every corner of a quad pays its energy, which is least for a square corner with the mean area of its neighbourhood,
+// see `Corner_energy`.
 //
 // A vertex takes one Newton step in its tangent plane, or along its curve, against the energy of
 // the corners that it is a part of, is projected back, and stays there if that really helps and makes
@@ -115,7 +115,7 @@ protected:
   std::array<Vector_3, 2> directions(int v) const
   {
     if(m_kind[v] != on_surface)
-      return {{ (m_kind[v] == on_feature ? features : borders).direction(m_place[v]), Vector_3(0, 0, 0) }};
+      return { { (m_kind[v] == on_feature ? features : borders).direction(m_place[v]), Vector_3(0, 0, 0) } };
     Vector_3 normal(0, 0, 0);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       normal = normal + m_normal[m_corner[i] / 4];
@@ -124,7 +124,7 @@ protected:
       normal = surface.normal(m_place[v]);
     Vector_3 u = CGAL::abs(normal.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
     u = unit_or_zero(u - (u * normal) * normal);
-    return {{ u, cross_product(normal, u) }};
+    return { { u, cross_product(normal, u) } };
   }
 
   // Moves v to a better place, if the step downhill leads to one, and gives the length of the step.
@@ -146,8 +146,10 @@ protected:
         smallest = (std::min)(smallest, t.area);
     }
     const double mean_aim = aim_sum / (m_first[v + 1] - m_first[v]);
-    const double epsilon = smallest > 0 ? 0 : std::sqrt(least_epsilon * least_epsilon * mean_aim * mean_aim
-                                                        + epsilon_slope * smallest * smallest);
+    const double epsilon =
+      smallest > 0
+        ? 0
+        : std::sqrt(least_epsilon * least_epsilon * mean_aim * mean_aim + epsilon_slope * smallest * smallest);
 
     Corner_energy_model model(u, w);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
@@ -185,7 +187,8 @@ private:
     region_faces = seeds;
     for(int f : seeds)
       has_face[f] = 1;
-    for(std::size_t i = 0, end = region_faces.size(), ring = 0; ring <= unfolding_rings; ++ring, end = region_faces.size())
+    for(std::size_t i = 0, end = region_faces.size(), ring = 0; ring <= unfolding_rings;
+        ++ring, end = region_faces.size())
       for(; i < end; ++i)
         for(int v : m.corners[region_faces[i]])
         {
@@ -245,7 +248,7 @@ private:
   // Regularization of folded corners: a part of the area aimed at, and of the largest fold.
   static constexpr double least_epsilon = 1e-3, epsilon_slope = 0.04;
 
-  std::vector<char> m_active;             // per vertex: takes part in the next sweep
+  std::vector<char> m_active; // per vertex: takes part in the next sweep
 };
 
 } // namespace internal

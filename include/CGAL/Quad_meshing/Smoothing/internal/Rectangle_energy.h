@@ -24,20 +24,21 @@ namespace internal {
 
 // One corner of a quad as a function of its two sides, that are to be orthogonal first, and equal second.
 //
-// With the angle theta between the sides, the logarithm s of the ratio of their lengths, and that of the ratio of the area of
-// their parallelogram to the area A that it should have, t, every corner pays
+// With the angle theta between the sides, the logarithm s of the ratio of their lengths, and that of the ratio of the
+// area of their parallelogram to the area A that it should have, t, every corner pays
 //     ( l cosh(s) + 1 - l ) / sin(theta) + w cosh(t).
-// With l = 1 this is the energy of `Corner_energy`. A smaller l lets quads be rectangles where the connectivity asks for it.
-// In s, theta and t the energy is convex. So the matrix of its second derivatives is positive semidefinite if those of s, theta
-// and t themselves are left out.
+// With l = 1 this is the energy of `Corner_energy`. A smaller l lets quads be rectangles where the connectivity asks
+// for it. In s, theta and t the energy is convex. So the matrix of its second derivatives is positive semidefinite if
+// those of s, theta and t themselves are left out.
 struct Rectangle_energy
 {
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
-  typedef Eigen::Vector4d Sides;                      // x and y of both sides in the plane of the quad
+  typedef Eigen::Vector4d Sides; // x and y of both sides in the plane of the quad
 
   // The weights l, the ratio of those of stretch and shear in `Layout_distortion`, and w.
   static constexpr double squareness = 0.25, area_weight = Corner_energy::area_weight;
-  // The sine of the angle, the part of the area and that of its root that count at least: folded corners have finite energies.
+  // The sine of the angle, the part of the area and that of its root that count at least: folded corners have finite
+  // energies.
   static constexpr double least_sine = 0.05, least_area = 0.05, least_length = 0.01;
   // The energy of a square of the right size.
   static constexpr double least = 1 + area_weight;
@@ -63,17 +64,21 @@ struct Rectangle_energy
     const double ratio = e.la / e.lb, sinh_s = (ratio - 1 / ratio) / 2;
     const double per_s = squareness * sinh_s / e.sine, per_theta = -e.top() * e.cosine / (e.sine * e.sine);
     gradient = per_s * s + per_theta * theta + area_weight / 2 * (e.area - 1 / e.area) * t;
-    matrix = squareness * e.cosh_s() / e.sine * s * s.transpose()
-           - per_s * e.cosine / e.sine * (s * theta.transpose() + theta * s.transpose())
-           + e.top() * (1 + e.cosine * e.cosine) / (e.sine * e.sine * e.sine) * theta * theta.transpose()
-           + area_weight / 2 * (e.area + 1 / e.area) * t * t.transpose();
+    matrix = squareness * e.cosh_s() / e.sine * s * s.transpose() -
+             per_s * e.cosine / e.sine * (s * theta.transpose() + theta * s.transpose()) +
+             e.top() * (1 + e.cosine * e.cosine) / (e.sine * e.sine * e.sine) * theta * theta.transpose() +
+             area_weight / 2 * (e.area + 1 / e.area) * t * t.transpose();
   }
 
 private:
   Rectangle_energy(double a, double b, double dot, double cross, double aim)
-    : la((std::max)(a, least_length * std::sqrt(aim))), lb((std::max)(b, least_length * std::sqrt(aim))),
-      cosine(dot / (la * lb)), sine((std::max)(cross / (la * lb), least_sine)), area((std::max)(cross / aim, least_area))
-  {}
+    : la((std::max)(a, least_length * std::sqrt(aim)))
+    , lb((std::max)(b, least_length * std::sqrt(aim)))
+    , cosine(dot / (la * lb))
+    , sine((std::max)(cross / (la * lb), least_sine))
+    , area((std::max)(cross / aim, least_area))
+  {
+  }
 
   double cosh_s() const { return (la / lb + lb / la) / 2; }
   double top() const { return squareness * cosh_s() + 1 - squareness; }

@@ -47,15 +47,15 @@ public:
   {
     int segment;
     Point_3 point;
-    bool at_end;          // at the end of a chain
+    bool at_end; // at the end of a chain
   };
 
   // `points` and `segments` may come from any graph; the order of the segments decides the order
   // of the chains.
-  Reference_curves(const std::vector<Point_3>& points, const std::vector<std::array<int, 2> >& segments)
+  Reference_curves(const std::vector<Point_3>& points, const std::vector<std::array<int, 2>>& segments)
     : m_segments(segments.size())
   {
-    std::vector<std::array<int, 2> > at(points.size(), {{ -1, -1 }});     // the two segments of a vertex
+    std::vector<std::array<int, 2>> at(points.size(), { { -1, -1 } }); // the two segments of a vertex
     std::vector<int> degree(points.size(), 0);
     for(std::size_t s = 0; s < segments.size(); ++s)
       for(int v : segments[s])
@@ -68,7 +68,7 @@ public:
     const double cosine = std::cos(corner_turn * CGAL_PI / 180);
     for(std::size_t s = 0; s < segments.size(); ++s)
     {
-      m_segments[s].ends = {{ points[segments[s][0]], points[segments[s][1]] }};
+      m_segments[s].ends = { { points[segments[s][0]], points[segments[s][1]] } };
       for(int k = 0; k < 2; ++k)
       {
         const int v = segments[s][k];
@@ -131,7 +131,7 @@ private:
   struct Chain_segment
   {
     std::array<Point_3, 2> ends;
-    std::array<int, 2> neighbor;      // the segment behind each end, -1 at the end of the chain
+    std::array<int, 2> neighbor; // the segment behind each end, -1 at the end of the chain
   };
 
   double parameter(const Point_3& query, int s) const
@@ -154,24 +154,19 @@ private:
     typedef Point_3 Point;
     typedef Segment_3 Datum;
 
-    Primitive(std::vector<int>::const_iterator s, const Reference_curves* curves)
-      : segment(*s), curves(curves)
-    {}
+    Primitive(std::vector<int>::const_iterator s, const Reference_curves* curves) : segment(*s), curves(curves) {}
 
     int segment;
     const Reference_curves* curves;
 
     Id id() const { return segment; }
-    Datum datum() const
-    {
-      return Segment_3(curves->m_segments[segment].ends[0], curves->m_segments[segment].ends[1]);
-    }
+    Datum datum() const { return Segment_3(curves->m_segments[segment].ends[0], curves->m_segments[segment].ends[1]); }
     Point reference_point() const { return curves->m_segments[segment].ends[0]; }
   };
-  typedef AABB_tree<Aabb_traits<Kernel, Primitive> > Tree;
+  typedef AABB_tree<Aabb_traits<Kernel, Primitive>> Tree;
 
   std::vector<Chain_segment> m_segments;
-  std::unique_ptr<Tree> m_tree;           // built at the first call of locate()
+  std::unique_ptr<Tree> m_tree; // built at the first call of locate()
 
 public:
   // The tree points back to this object.

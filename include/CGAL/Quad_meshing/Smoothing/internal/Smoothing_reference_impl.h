@@ -28,11 +28,12 @@ struct Smoothing_reference::Data
 
   Data(const Indexed_quad_mesh& qm, Indexed_reference tm)
     : features(tm.features.empty() ? Reference_curves(qm.points, edges_of(qm, false))
-                                   : Reference_curves(tm.mesh.points, tm.features)),
-      borders(tm.borders.empty() ? Reference_curves(qm.points, edges_of(qm, true))
-                                 : Reference_curves(tm.mesh.points, tm.borders)),
-      surface(std::move(tm.mesh))
-  {}
+                                   : Reference_curves(tm.mesh.points, tm.features))
+    , borders(tm.borders.empty() ? Reference_curves(qm.points, edges_of(qm, true))
+                                 : Reference_curves(tm.mesh.points, tm.borders))
+    , surface(std::move(tm.mesh))
+  {
+  }
 
 private:
   static Curve_segments edges_of(const Indexed_quad_mesh& m, bool border)
@@ -40,18 +41,20 @@ private:
     Curve_segments segments;
     for(int h = 0; h < m.number_of_halfedges(); ++h)
       if(border ? m.is_border(h) : m.is_feature[h] && !m.is_border(h) && m.edge(h) == h)
-        segments.push_back({{ m.source(h), m.target(h) }});
+        segments.push_back({ { m.source(h), m.target(h) } });
     return segments;
   }
 };
 
 CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(const Indexed_quad_mesh& qm, Indexed_reference tm)
   : m_data(new Data(qm, std::move(tm)))
-{}
+{
+}
 
 CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(const Indexed_quad_mesh& qm)
   : Smoothing_reference(qm, Indexed_reference{ triangulated_quad_mesh(qm), {}, {} })
-{}
+{
+}
 
 CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(Smoothing_reference&& other) = default;
 

@@ -22,9 +22,11 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result
-smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, const std::vector<char>& is_fixed_vertex,
-                         const Smoothing_options& options, Any_visitor& visitor)
+CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Indexed_quad_mesh& m,
+                                                                             Smoothing_reference& reference,
+                                                                             const std::vector<char>& is_fixed_vertex,
+                                                                             const Smoothing_options& options,
+                                                                             Any_visitor& visitor)
 {
   // Sweeps before all vertices are moved at once, where quads have just been unfolded.
   constexpr unsigned int sweeps_after_unfolding = 2;
@@ -80,9 +82,10 @@ smooth_indexed_quad_mesh(Indexed_quad_mesh& m, Smoothing_reference& reference, c
     return result;
   }
   result.quality_after = quality_of_quad_mesh(m);
-  result.message = result.folded_quads_after == 0
-    ? "The mesh has been smoothed; no quad is folded."
-    : "The mesh has been smoothed; number of folded quads: " + std::to_string(result.folded_quads_after) + ".";
+  result.message =
+    result.folded_quads_after == 0
+      ? "The mesh has been smoothed; no quad is folded."
+      : "The mesh has been smoothed; number of folded quads: " + std::to_string(result.folded_quads_after) + ".";
   return result;
 }
 

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// The shape of quads that a better structure may cost, measured by that of the input: not more folded and inverted quads,
-// and a minimal scaled Jacobian that is not far below.
+// The shape of quads that a better structure may cost, measured by that of the input: not more folded and inverted
+// quads, and a minimal scaled Jacobian that is not far below.
 class Accepted_shape
 {
 public:
@@ -32,8 +32,9 @@ public:
 
   // What is `coarse` may have bad quads, but not more folded and inverted ones.
   Accepted_shape(const Quad_mesh_smoothing_result& input, bool coarse)
-    : m_is_limited(true), m_most_folded(input.folded_quads_before),
-      m_most_inverted(input.quality_before.number_of_inverted_quads)
+    : m_is_limited(true)
+    , m_most_folded(input.folded_quads_before)
+    , m_most_inverted(input.quality_before.number_of_inverted_quads)
   {
     const double jacobian = input.quality_before.minimal_scaled_jacobian;
     if(jacobian > 0 && !coarse)
@@ -43,10 +44,10 @@ public:
 
   bool accepts(const Quad_mesh_smoothing_result& r) const
   {
-    return r.status == Quad_mesh_smoothing_status::SMOOTHED
-        && (!m_is_limited
-            || (r.folded_quads_after <= m_most_folded && r.quality_after.number_of_inverted_quads <= m_most_inverted
-                && r.quality_after.minimal_scaled_jacobian >= m_least_jacobian));
+    return r.status == Quad_mesh_smoothing_status::SMOOTHED &&
+           (!m_is_limited ||
+            (r.folded_quads_after <= m_most_folded && r.quality_after.number_of_inverted_quads <= m_most_inverted &&
+             r.quality_after.minimal_scaled_jacobian >= m_least_jacobian));
   }
 
   // Of what is accepted.
@@ -58,7 +59,7 @@ public:
 private:
   bool m_is_limited = false;
   std::size_t m_most_folded = 0, m_most_inverted = 0;
-  double m_least_jacobian = -1, m_good_jacobian = -1;     // a scaled Jacobian is at least -1
+  double m_least_jacobian = -1, m_good_jacobian = -1; // a scaled Jacobian is at least -1
 };
 
 } // namespace internal

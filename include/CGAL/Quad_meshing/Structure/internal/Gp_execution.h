@@ -41,9 +41,9 @@ class Gp_execution
   const Indexed_quad_mesh& m;
   const Gp_path& path;
 
-  std::vector<int> bearer;        // per halfedge: the halfedge that is this side afterwards, or -1
-  std::vector<int> passage;       // per halfedge without bearer: the other side it becomes one with, or -1
-  std::vector<char> vanishes;     // per face
+  std::vector<int> bearer;    // per halfedge: the halfedge that is this side afterwards, or -1
+  std::vector<int> passage;   // per halfedge without bearer: the other side it becomes one with, or -1
+  std::vector<char> vanishes; // per face
 
   int next_step(int i) const { return i + 1 == static_cast<int>(path.size()) ? 0 : i + 1; }
 
@@ -59,9 +59,9 @@ class Gp_execution
 
 public:
   // Vertices of the result are those of the input without the ones merged into others.
-  std::vector<int> vertex_of;     // per vertex of the input: its vertex in the result
-  std::vector<int> face_of;       // per face of the input: its face in the result, -1 if it has vanished
-  std::vector<int> vertex_from;   // per vertex of the result: the vertex of the input that has become it
+  std::vector<int> vertex_of;   // per vertex of the input: its vertex in the result
+  std::vector<int> face_of;     // per face of the input: its face in the result, -1 if it has vanished
+  std::vector<int> vertex_from; // per vertex of the result: the vertex of the input that has become it
 
   Gp_execution(const Indexed_quad_mesh& mesh, const Gp_path& steps) : m(mesh), path(steps) {}
 
@@ -104,7 +104,7 @@ public:
             passage[h] = -1;
 
     // corners that move, one shift step after the other
-    std::vector<std::array<int, 4> > corners = m.corners;
+    std::vector<std::array<int, 4>> corners = m.corners;
     auto moved_to = [&](int i)
     {
       const int in = path[skip_collapsed_rows(i, in_collapsed_row)].in;
@@ -167,7 +167,7 @@ public:
 
 private:
   // Drops the faces that have vanished and the vertices that are no longer there.
-  Indexed_quad_mesh compact(const std::vector<std::array<int, 4> >& corners, const std::vector<int>& opposite,
+  Indexed_quad_mesh compact(const std::vector<std::array<int, 4>>& corners, const std::vector<int>& opposite,
                             const std::vector<char>& is_feature, Disjoint_sets& merged,
                             std::vector<int>& merged_vertices, const std::vector<char>& weight)
   {
@@ -187,7 +187,8 @@ private:
 
     std::sort(merged_vertices.begin(), merged_vertices.end());
     merged_vertices.erase(std::unique(merged_vertices.begin(), merged_vertices.end()), merged_vertices.end());
-    std::stable_sort(merged_vertices.begin(), merged_vertices.end(), [&](int a, int b)
+    std::stable_sort(merged_vertices.begin(), merged_vertices.end(),
+                     [&](int a, int b)
                      { return vertex_of[a] != vertex_of[b] ? vertex_of[a] < vertex_of[b] : weight[a] > weight[b]; });
     for(std::size_t i = 0, j; i < merged_vertices.size(); i = j)
     {
@@ -243,15 +244,15 @@ inline bool is_valid_quad_mesh(const Indexed_quad_mesh& m)
   for(int h = 0; h < nh; ++h)
   {
     const int o = m.opposite[h];
-    if(o != -1 && (m.opposite[o] != h || m.source(o) != m.target(h) || m.target(o) != m.source(h)
-                   || m.is_feature[o] != m.is_feature[h]))
+    if(o != -1 && (m.opposite[o] != h || m.source(o) != m.target(h) || m.target(o) != m.source(h) ||
+                   m.is_feature[o] != m.is_feature[h]))
       return false;
   }
   for(int v = 0; v < nv; ++v)
   {
     const int first = m.halfedge_of_vertex[v];
     if(first == -1)
-      continue;               // isolated
+      continue; // isolated
     int h = first, n = 0;
     bool closed = false;
     for(; h != -1 && !closed; h = m.next_around_source(h), closed = h == first)

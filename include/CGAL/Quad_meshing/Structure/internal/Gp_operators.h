@@ -31,7 +31,7 @@ inline Gp_path straight_path(const Indexed_quad_mesh& m, int h, Gp_kind kind)
     first = b;
   if(m.opposite[m.across(first)] == -1)
     path.push_back(Gp_step{ -1, m.across(first), kind });
-  for(int s = first; ; )
+  for(int s = first;;)
   {
     path.push_back(Gp_step{ s, m.opposite[s], kind });
     s = m.forward(s);
@@ -41,10 +41,7 @@ inline Gp_path straight_path(const Indexed_quad_mesh& m, int h, Gp_kind kind)
 }
 
 // The collapse of the whole dual curve of a dual edge.
-inline Gp_path collapse_path(const Indexed_quad_mesh& m, int h)
-{
-  return straight_path(m, h, gp_collapse);
-}
+inline Gp_path collapse_path(const Indexed_quad_mesh& m, int h) { return straight_path(m, h, gp_collapse); }
 
 inline Quad_vertex_rules vertex_rules(const Structure_state& s, bool merge_singularities)
 {
@@ -57,13 +54,15 @@ inline Quad_vertex_rules vertex_rules(const Structure_state& s, bool merge_singu
 
 // Executes a legal path; false if the result is not a mesh that can be represented, because edges
 // would share both ends.
-inline bool execute_operator(const Structure_state& s, const Gp_path& path, const Quad_vertex_rules& rules, Structure_state& result)
+inline bool execute_operator(const Structure_state& s, const Gp_path& path, const Quad_vertex_rules& rules,
+                             Structure_state& result)
 {
   const int nv = s.mesh.number_of_vertices();
   std::vector<char> weight(nv);
   for(int v = 0; v < nv; ++v)
-    weight[v] = s.is_fixed[v] ? 4 : rules.on_feature[v] || rules.on_border[v] ? 2 + rules.is_special[v]
-                                  : rules.is_irregular[v];
+    weight[v] = s.is_fixed[v]                               ? 4
+                : rules.on_feature[v] || rules.on_border[v] ? 2 + rules.is_special[v]
+                                                            : rules.is_irregular[v];
   Gp_execution execution(s.mesh, path);
   result.mesh = execution.execute(weight);
   if(result.mesh.number_of_faces() == 0 || !is_valid_quad_mesh(result.mesh))

@@ -29,7 +29,12 @@ namespace internal {
 //
 // and a path turns right from a shift left into a collapse, left or right from a collapse into a
 // shift left or right, left from a shift right into a collapse.
-enum Gp_kind : char { gp_shift_left = 0, gp_collapse = 1, gp_shift_right = 2 };
+enum Gp_kind : char
+{
+  gp_shift_left = 0,
+  gp_collapse = 1,
+  gp_shift_right = 2
+};
 
 // One crossing of an edge. `out` is the halfedge in the face that is left, `in` the one in the face
 // that is entered. One of them is -1 where a path begins or ends on the border; only a collapse can.
@@ -74,20 +79,27 @@ void for_each_next_gp_state(const Gp_step& s, const Function& f)
 }
 
 // How a path passes a face.
-enum Gp_passage : char { gp_not_visited = 0, gp_straight_collapse, gp_straight_shift, gp_turn };
+enum Gp_passage : char
+{
+  gp_not_visited = 0,
+  gp_straight_collapse,
+  gp_straight_shift,
+  gp_turn
+};
 
 inline Gp_passage gp_passage(const Gp_step& enter, const Gp_step& leave)
 {
   return leave.out != Indexed_quad_mesh::across(enter.in) ? gp_turn
-       : enter.kind == gp_collapse ? gp_straight_collapse : gp_straight_shift;
+         : enter.kind == gp_collapse                      ? gp_straight_collapse
+                                                          : gp_straight_shift;
 }
 
 // A face may be passed twice only straight, crosswise, and not by two shifts: a row that has been
 // collapsed away does not hinder what crosses it.
 inline bool gp_passages_are_compatible(Gp_passage a, int side_a, Gp_passage b, int side_b)
 {
-  return a != gp_turn && b != gp_turn && (a == gp_straight_collapse || b == gp_straight_collapse)
-      && ((side_a ^ side_b) & 1) == 1;
+  return a != gp_turn && b != gp_turn && (a == gp_straight_collapse || b == gp_straight_collapse) &&
+         ((side_a ^ side_b) & 1) == 1;
 }
 
 } // namespace internal

@@ -39,9 +39,14 @@ public:
   };
 
   Gp_legality(const Indexed_quad_mesh& mesh, const Quad_vertex_rules& vertex_rules)
-    : m(mesh), rules(vertex_rules), crossed_at(mesh.number_of_halfedges(), -1),
-      passages(mesh.number_of_faces()), parent(mesh.number_of_vertices(), -1), group(mesh.number_of_vertices())
-  {}
+    : m(mesh)
+    , rules(vertex_rules)
+    , crossed_at(mesh.number_of_halfedges(), -1)
+    , passages(mesh.number_of_faces())
+    , parent(mesh.number_of_vertices(), -1)
+    , group(mesh.number_of_vertices())
+  {
+  }
 
   // The first conflict of a closed path.
   Conflict check(const Gp_path& path)
@@ -112,7 +117,8 @@ private:
     {
       parent[v] = v;
       const bool on_curve = rules.on_feature[v] || rules.on_border[v];
-      group[v] = Group{ rules.is_special[v], rules.is_irregular[v] && !on_curve, rules.on_feature[v], rules.on_border[v] };
+      group[v] =
+        Group{ rules.is_special[v], rules.is_irregular[v] && !on_curve, rules.on_feature[v], rules.on_border[v] };
     }
     while(parent[v] != v)
       v = parent[v] = parent[parent[v]];
@@ -133,9 +139,9 @@ private:
     // a feature and the border that meet in a corner are told apart by the corner
     g.features += group[b].features - (feature ? 1 : 0);
     g.borders += group[b].borders - (border ? 1 : 0);
-    return g.special <= 1 && g.features <= 1 && g.borders <= 1
-        && (g.features == 0 || g.borders == 0 || g.special == 1)
-        && (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
+    return g.special <= 1 && g.features <= 1 && g.borders <= 1 &&
+           (g.features == 0 || g.borders == 0 || g.special == 1) &&
+           (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
   }
 
   void reset(const Gp_path& path)
@@ -151,10 +157,10 @@ private:
 
   const Indexed_quad_mesh& m;
   const Quad_vertex_rules& rules;
-  std::vector<int> crossed_at;          // per edge: the step that crosses it
-  std::vector<Passages> passages;       // per face
-  std::vector<int> parent;              // per vertex: union-find of the merged ones, -1 if untouched
-  std::vector<Group> group;             // per root of the union-find
+  std::vector<int> crossed_at;    // per edge: the step that crosses it
+  std::vector<Passages> passages; // per face
+  std::vector<int> parent;        // per vertex: union-find of the merged ones, -1 if untouched
+  std::vector<Group> group;       // per root of the union-find
 };
 
 // Searches closed paths in the graph of states (thesis, section 10.1).
@@ -165,9 +171,12 @@ public:
   static constexpr int repairs = 60;
 
   Gp_search(const Indexed_quad_mesh& mesh, const Quad_vertex_rules& vertex_rules)
-    : m(mesh), legality(mesh, vertex_rules), forbidden(4 * mesh.number_of_halfedges(), 0),
-      blocked(4 * mesh.number_of_halfedges(), 0), reached(4 * mesh.number_of_halfedges(), 0),
-      origin(4 * mesh.number_of_halfedges())
+    : m(mesh)
+    , legality(mesh, vertex_rules)
+    , forbidden(4 * mesh.number_of_halfedges(), 0)
+    , blocked(4 * mesh.number_of_halfedges(), 0)
+    , reached(4 * mesh.number_of_halfedges(), 0)
+    , origin(4 * mesh.number_of_halfedges())
   {
     const int n = m.number_of_halfedges();
     for(int h = 0; h < n; ++h)
@@ -350,8 +359,9 @@ private:
           continue;
         outside_done = true;
       }
-      for_each_successor(state, [&](int next)
-      {
+      for_each_successor(state,
+                         [&](int next)
+                         {
         if(is_open(next) && reached[next] != round)
         {
           reached[next] = round;
@@ -367,7 +377,7 @@ private:
   {
     ++round;
     typedef std::pair<double, int> Item;
-    std::priority_queue<Item, std::vector<Item>, std::greater<Item> > queue;
+    std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
     std::vector<double> distance(4 * m.number_of_halfedges(), (std::numeric_limits<double>::max)());
     distance[states.back()] = 0;
     queue.push(Item(0, states.back()));
@@ -381,8 +391,9 @@ private:
       reached[state] = round;
       if(leads_to_target(state))
         return append_way(states, state);
-      for_each_successor(state, [&](int next)
-      {
+      for_each_successor(state,
+                         [&](int next)
+                         {
         if(!is_open(next))
           return;
         const double d = item.first + cost(next);
@@ -399,10 +410,10 @@ private:
 
   const Indexed_quad_mesh& m;
   Gp_legality legality;
-  std::vector<char> forbidden, blocked;     // per state: out of the graph for good, for one search
+  std::vector<char> forbidden, blocked; // per state: out of the graph for good, for one search
   std::vector<int> blocked_states;
-  std::vector<int> reached, origin;         // per state: the search that reached it, from where
-  std::vector<int> entries;                 // border halfedges
+  std::vector<int> reached, origin; // per state: the search that reached it, from where
+  std::vector<int> entries;         // border halfedges
   int round = 0, target = -1;
 };
 

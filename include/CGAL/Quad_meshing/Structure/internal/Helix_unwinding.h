@@ -53,7 +53,8 @@ public:
 
   // Reduces the pitch of a helix to zero, one operator per unit. `bases` are dual edges of the helix
   // in the mesh of `s`, `column` is the one to begin with.
-  bool operator()(Structure_state& s, std::vector<int> bases, int column, bool upwards, int pitch, std::size_t& steps) const
+  bool operator()(Structure_state& s, std::vector<int> bases, int column, bool upwards, int pitch,
+                  std::size_t& steps) const
   {
     for(; pitch > 0; --pitch)
     {
@@ -61,8 +62,8 @@ public:
       const std::vector<Side_relation> relation = side_relations(s.mesh, lines);
       auto is_winding = [&](int b)
       {
-        return b != -1 && relation[b].target != -1 && relation[b].sidesteps == pitch
-            && relation[b].sidesteps <= std::abs(relation[b].offset);
+        return b != -1 && relation[b].target != -1 && relation[b].sidesteps == pitch &&
+               relation[b].sidesteps <= std::abs(relation[b].offset);
       };
       // the column, or else the first one that has survived the operators so far
       int base = column < static_cast<int>(bases.size()) && is_winding(bases[column]) ? bases[column] : -1;
@@ -70,7 +71,7 @@ public:
         if(is_winding(bases[i]))
           base = bases[i];
       if(base == -1)
-        return steps > 0;     // the helix has gone together with another one
+        return steps > 0; // the helix has gone together with another one
 
       const Quad_vertex_rules rules = vertex_rules(s, m_merge_singularities);
       Gp_search search(s.mesh, rules);
@@ -103,12 +104,12 @@ private:
     const bool rising = relation[base].offset > 0;
     auto is_same_helix = [&](int s)
     {
-      return std::find(bases.begin(), bases.end(), s) != bases.end()
-          && relation[s].target != -1 && relation[s].sidesteps == k && relation[s].offset == relation[base].offset;
+      return std::find(bases.begin(), bases.end(), s) != bases.end() && relation[s].target != -1 &&
+             relation[s].sidesteps == k && relation[s].offset == relation[base].offset;
     };
     // down to the lowest winding
     int lowest = base;
-    for(bool found = true; found; )
+    for(bool found = true; found;)
     {
       found = false;
       for(int b : bases)
@@ -137,7 +138,7 @@ private:
       for(int q : crossed)
         states.push_back(3 * q + kind);
     else
-      for(std::size_t i = crossed.size(); i-- > 0; )
+      for(std::size_t i = crossed.size(); i-- > 0;)
         states.push_back(3 * m.opposite[crossed[i]] + kind);
     return states;
   }

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// What a layout should reach, and the price of what it does reach: helices, patches, lost quads and the shape of the quads
-// in units of what is tolerated of each. What exceeds that costs much more.
+// What a layout should reach, and the price of what it does reach: helices, patches, lost quads and the shape of the
+// quads in units of what is tolerated of each. What exceeds that costs much more.
 class Layout_goals
 {
 public:
@@ -28,21 +28,23 @@ public:
   static constexpr double tolerated_helices = 0.2, tolerated_patches = 0.33, tolerated_loss = 0.3;
   // A number of helices in the input below which this is the one that counts.
   static constexpr int few_helices = 5;
-  // By which factor the mean deviation of the corners from right angles may grow; the square of a smaller one than so many degrees
-  // may grow by as much as that of this one.
+  // By which factor the mean deviation of the corners from right angles may grow; the square of a smaller one than so
+  // many degrees may grow by as much as that of this one.
   static constexpr double tolerated_growth = 1.35, least_deviation = 5;
   // Part of the quads of the input below which a target is no goal.
   static constexpr double least_counted = 0.25;
-  // How many times too many quads there may be in a layout that is looked at, and the price of each part that is too many.
+  // How many times too many quads there may be in a layout that is looked at, and the price of each part that is too
+  // many.
   static constexpr double looked_at = 1.15, surplus_weight = 30;
   // Weight of each part, and how much more weighs what is above one: helices and patches come first.
   static constexpr double weight = 0.5, excess_weight = 6, loss_excess_weight = 6, neglected_loss_excess_weight = 2,
                           shape_excess_weight = 3;
 
   Layout_goals(const Quad_mesh_structure& input, const Quad_mesh_quality& quality, int most_quads)
-    : m_most_helices(tolerated_helices * (std::max)(few_helices, static_cast<int>(input.number_of_helices))),
-      m_most_patches(tolerated_patches * input.number_of_patches), m_most_quads(most_quads),
-      m_counts_quads(most_quads >= least_counted * input.number_of_quads)
+    : m_most_helices(tolerated_helices * (std::max)(few_helices, static_cast<int>(input.number_of_helices)))
+    , m_most_patches(tolerated_patches * input.number_of_patches)
+    , m_most_quads(most_quads)
+    , m_counts_quads(most_quads >= least_counted * input.number_of_quads)
   {
     const double d = (std::max)(least_deviation, quality.mean_angle_deviation);
     m_squared_deviation = quality.mean_angle_deviation * quality.mean_angle_deviation;
@@ -52,7 +54,8 @@ public:
   // The price of what can be counted.
   double price_of_structure(double helices, double patches, double quads) const
   {
-    return price(helices / m_most_helices, excess_weight) + price(patches / m_most_patches, excess_weight) + price_of_quads(quads);
+    return price(helices / m_most_helices, excess_weight) + price(patches / m_most_patches, excess_weight) +
+           price_of_quads(quads);
   }
 
   // With a target far below the input, how many quads there are does not matter.
@@ -72,8 +75,8 @@ public:
 
   bool are_reached(double helices, double patches, double quads, double squared_growth) const
   {
-    return helices <= m_most_helices && patches <= m_most_patches && price_of_quads(quads) <= weight
-        && squared_growth <= m_most_squared_growth;
+    return helices <= m_most_helices && patches <= m_most_patches && price_of_quads(quads) <= weight &&
+           squared_growth <= m_most_squared_growth;
   }
 
   // What a mesh comes to, by its helices, its patches and the shape of its quads.
@@ -106,7 +109,7 @@ private:
   int m_most_quads;
   bool m_counts_quads;
   double m_loss_excess_weight = loss_excess_weight;
-  double m_squared_deviation, m_most_squared_growth;      // of the input, and what may be added
+  double m_squared_deviation, m_most_squared_growth; // of the input, and what may be added
 };
 
 } // namespace internal

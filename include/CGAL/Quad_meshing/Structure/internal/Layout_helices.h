@@ -30,8 +30,11 @@ class Layout_helices
 public:
   // `r` is the layout itself, which must live as long as the object; `curves` are those of the same lengths.
   Layout_helices(const Layout_realization& r, const Layout_curves& curves)
-    : m_mesh(r.mesh), m_lines(r.mesh), m_relation(side_relations(r.mesh, m_lines)),
-      m_curve_of_line(m_lines.number_of_lines(), -1), m_helices(curves.number_of_curves(), 0)
+    : m_mesh(r.mesh)
+    , m_lines(r.mesh)
+    , m_relation(side_relations(r.mesh, m_lines))
+    , m_curve_of_line(m_lines.number_of_lines(), -1)
+    , m_helices(curves.number_of_curves(), 0)
   {
     for(std::size_t e = 0; e < curves.of_edge.size(); ++e)
       if(r.side_of_edge[e] != -1)
@@ -79,7 +82,7 @@ private:
   Dual_lines m_lines;
   std::vector<Side_relation> m_relation;
   std::vector<int> m_curve_of_line;
-  std::vector<int> m_helices;           // per curve
+  std::vector<int> m_helices; // per curve
 };
 
 } // namespace internal

@@ -44,11 +44,16 @@ public:
   static constexpr int scales_between = 4;
 
   // `target_quads` is at most the number of quads of the input.
-  Layout_optimizer(const Structure_state& input, bool merge_singularities, std::size_t target_quads, std::size_t target_patches)
-    : m_input(input), m_merge_singularities(merge_singularities), m_target_quads(static_cast<int>(target_quads)),
-      m_target_patches(target_patches), m_structure(structure_of_quad_mesh(input.mesh)),
-      m_goals(m_structure, quality_of_quad_mesh(input.mesh), m_target_quads),
-      m_complex(input.mesh, input.is_fixed), m_bends(input.mesh, m_complex)
+  Layout_optimizer(const Structure_state& input, bool merge_singularities, std::size_t target_quads,
+                   std::size_t target_patches)
+    : m_input(input)
+    , m_merge_singularities(merge_singularities)
+    , m_target_quads(static_cast<int>(target_quads))
+    , m_target_patches(target_patches)
+    , m_structure(structure_of_quad_mesh(input.mesh))
+    , m_goals(m_structure, quality_of_quad_mesh(input.mesh), m_target_quads)
+    , m_complex(input.mesh, input.is_fixed)
+    , m_bends(input.mesh, m_complex)
   {
     for(int h = 0; h < input.mesh.number_of_halfedges(); ++h)
       m_border_edges += input.mesh.is_border(h);
@@ -62,11 +67,11 @@ public:
     if(!m_complex.is_valid || m_complex.arcs.empty() || m_structure.number_of_irregular_vertices == 0)
       return;
     m_quantization.reset(new Layout_quantization(m_input.mesh, m_complex, m_input.is_fixed, m_merge_singularities));
-    m_search.reset(new Layout_search(m_input.mesh, m_structure, m_goals, *m_quantization, m_bends, m_input.is_fixed,
-                                     visitor));
+    m_search.reset(
+      new Layout_search(m_input.mesh, m_structure, m_goals, *m_quantization, m_bends, m_input.is_fixed, visitor));
     if(!visitor.go_further())
     {
-      m_search.reset();     // its system is not complete
+      m_search.reset(); // its system is not complete
       return;
     }
     // what is compared in the end: not more quads for more helices
@@ -76,23 +81,27 @@ public:
     const int quads = static_cast<int>((std::min)(quads_per_irregular_vertex * m_structure.number_of_irregular_vertices,
                                                   Layout_search::largest_part * m_structure.number_of_quads));
     int scales = 0;
-    m_search->shorten(quads, m_target_patches, [&]
-    {
+    m_search->shorten(
+      quads, m_target_patches,
+      [&]
+      {
       if(++scales % scales_between == 0)
         m_layouts.push_back(m_quantization->length);
-    }, [&] { return visitor.go_further(); });
+      },
+      [&] { return visitor.go_further(); });
     m_layouts.push_back(m_quantization->length);
     m_search->anneal(attempts, m_target_patches, m_layouts, reporting(attempts, visitor));
   }
 
-  // Looks for others, with less distortion if the shape of these was not accepted; false if this has been done too often.
+  // Looks for others, with less distortion if the shape of these was not accepted; false if this has been done too
+  // often.
   bool search_again(int attempts, bool with_caution, Any_visitor& visitor)
   {
     return m_search && m_search->anneal_again(attempts, with_caution, m_layouts, reporting(attempts, visitor));
   }
 
-  // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while, then
-  // coarser ones before finer ones; false if there is none that is better than the input.
+  // Puts the mesh with the next layout into `result`: the best one first, then those that were the best for a while,
+  // then coarser ones before finer ones; false if there is none that is better than the input.
   bool next(Structure_state& result, Any_visitor& visitor)
   {
     while(!m_layouts.empty() && visitor.go_further())
@@ -113,7 +122,7 @@ private:
     {
       visitor.progress((std::min)(1., double(++m_attempts) / m_search->number_of_rounds() / attempts));
       return visitor.go_further();
-    };
+      };
   }
 
   bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result,
@@ -150,16 +159,19 @@ private:
   }
 
   // Changes the multiplicities one by one as long as the price falls, beginning with coarser ones if these do not fit.
-  std::vector<int> improved(const Layout_quantization& quantization, const Layout_curves& curves, const Layout_helices& helices,
-                            std::vector<int> multiplicity, Any_visitor& visitor) const
+  std::vector<int> improved(const Layout_quantization& quantization, const Layout_curves& curves,
+                            const Layout_helices& helices, std::vector<int> multiplicity, Any_visitor& visitor) const
   {
     std::vector<int> length = curves.lengths(multiplicity);
-    auto is_possible = [&] { return fits(quantization, length) && quantization.number_of_quads(length) <= m_target_quads; };
+    auto is_possible = [&]
+    { return fits(quantization, length) && quantization.number_of_quads(length) <= m_target_quads; };
     auto price = [&]
     {
-      return !is_possible() ? Layout_cost::forbidden
-           : m_goals.price_of_growth(Layout_cost::squared_degrees * m_search->cost().distortion()(length))
-             + m_goals.price_of_structure(helices.number_of_helices(multiplicity), 0, quantization.number_of_quads(length));
+      return !is_possible()
+               ? Layout_cost::forbidden
+               : m_goals.price_of_growth(Layout_cost::squared_degrees * m_search->cost().distortion()(length)) +
+                   m_goals.price_of_structure(helices.number_of_helices(multiplicity), 0,
+                                              quantization.number_of_quads(length));
     };
     for(double aim = 1; !is_possible() && aim < largest_edge_length; aim /= finer)
     {
@@ -203,16 +215,16 @@ private:
 
   bool is_better(const Quad_mesh_structure& s) const
   {
-    const bool same = s.euler_characteristic == m_structure.euler_characteristic
-                   && s.number_of_components == m_structure.number_of_components
-                   && s.number_of_boundary_loops == m_structure.number_of_boundary_loops
-                   && s.boundary_valences == m_structure.boundary_valences
-                   && (m_merge_singularities || s.inner_valences == m_structure.inner_valences);
-    return same && (s.number_of_patches < m_structure.number_of_patches
-                    || (s.number_of_patches == m_structure.number_of_patches
-                        && s.number_of_helices < m_structure.number_of_helices)
-                    || (s.number_of_quads < m_structure.number_of_quads
-                        && std::size_t(m_target_quads) < m_structure.number_of_quads));
+    const bool same = s.euler_characteristic == m_structure.euler_characteristic &&
+                      s.number_of_components == m_structure.number_of_components &&
+                      s.number_of_boundary_loops == m_structure.number_of_boundary_loops &&
+                      s.boundary_valences == m_structure.boundary_valences &&
+                      (m_merge_singularities || s.inner_valences == m_structure.inner_valences);
+    return same && (s.number_of_patches < m_structure.number_of_patches ||
+                    (s.number_of_patches == m_structure.number_of_patches &&
+                     s.number_of_helices < m_structure.number_of_helices) ||
+                    (s.number_of_quads < m_structure.number_of_quads &&
+                     std::size_t(m_target_quads) < m_structure.number_of_quads));
   }
 
   // The vertices that are nodes of the input stay these; all others are any of the input that are left over.
@@ -247,7 +259,7 @@ private:
   Motorcycle_complex m_complex;
   Feature_bends m_bends;
   std::unique_ptr<Layout_quantization> m_quantization;
-  std::vector<std::vector<int> > m_layouts;
+  std::vector<std::vector<int>> m_layouts;
   std::unique_ptr<Layout_search> m_search;
   long m_border_edges = 0, m_attempts = 0;
 };

@@ -36,15 +36,16 @@ namespace internal {
 class Layout_cost
 {
 public:
-  // Weights of what is no goal: helices that may cross themselves, as a part of those of the input, and features that are
-  // not followed.
+  // Weights of what is no goal: helices that may cross themselves, as a part of those of the input, and features that
+  // are not followed.
   static constexpr double crossing_weight = 0.5, feature_weight = 5;
   // The distortion of a layout, as a part of one, that costs the corners of its quads a squared degree.
   static constexpr double squared_degrees = 200;
-  // Largest number of quads of a layout, as a multiple of that of the first one: the smaller number or more, so many that there are
-  // about as many as in the input when each curve is replaced by two, but not more than the larger number; and the factor when
-  // none has reached the goals.
-  static constexpr double least_growth = 1.3, largest_growth = 2, twice_as_fine = Layout_goals::looked_at / 4, more_quads = 1.25;
+  // Largest number of quads of a layout, as a multiple of that of the first one: the smaller number or more, so many
+  // that there are about as many as in the input when each curve is replaced by two, but not more than the larger
+  // number; and the factor when none has reached the goals.
+  static constexpr double least_growth = 1.3, largest_growth = 2, twice_as_fine = Layout_goals::looked_at / 4,
+                          more_quads = 1.25;
   // Factor of the distortion when the shape was not accepted.
   static constexpr double caution = 2;
 
@@ -53,9 +54,15 @@ public:
   Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_goals& goals,
               const Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed,
               Any_visitor& visitor)
-    : m(input), m_structure(structure), m_goals(goals), m_quantization(quantization), m_bends(bends), m_is_fixed(is_fixed),
-      m_distortion(input, quantization.complex(), quantization.rules(), is_fixed, visitor)
-  {}
+    : m(input)
+    , m_structure(structure)
+    , m_goals(goals)
+    , m_quantization(quantization)
+    , m_bends(bends)
+    , m_is_fixed(is_fixed)
+    , m_distortion(input, quantization.complex(), quantization.rules(), is_fixed, visitor)
+  {
+  }
 
   int number_of_patches() const { return number_of_base_complex_patches(realization().mesh); }
   const Layout_distortion& distortion() const { return m_distortion; }
@@ -66,7 +73,8 @@ public:
     m_largest_patches = largest_patches > 0 ? (std::max)(static_cast<int>(largest_patches), number_of_patches())
                                             : (std::numeric_limits<int>::max)();
     const double first = m_quantization.number_of_quads(m_quantization.length);
-    m_largest_quads = (std::max)(least_growth * first, (std::min)(largest_growth * first, twice_as_fine * m.number_of_faces()));
+    m_largest_quads =
+      (std::max)(least_growth * first, (std::min)(largest_growth * first, twice_as_fine * m.number_of_faces()));
   }
 
   // From now on layouts may have more quads, and lost quads count less.
@@ -97,7 +105,8 @@ public:
     cost += m_goals.price_of_structure(d.helices, patches, d.quads);
     if(cost > limit)
       return cost;
-    const int crossings = (std::max)(Layout_goals::few_helices, static_cast<int>(m_structure.number_of_helices_with_crossings));
+    const int crossings =
+      (std::max)(Layout_goals::few_helices, static_cast<int>(m_structure.number_of_helices_with_crossings));
     return cost + crossing_weight * helices.number_of_helices_with_crossings(d.multiplicities) / crossings;
   }
 
@@ -117,8 +126,8 @@ public:
     double helices = 0, quads = 0, growth = 0, price = 0;
   };
 
-  // About the lengths of the edges of the input; the cheaper way of two: curves with helices are multiplied like others, or only as
-  // far as helices are tolerated. Limits the multiplicities of the curves if it is the second one.
+  // About the lengths of the edges of the input; the cheaper way of two: curves with helices are multiplied like
+  // others, or only as far as helices are tolerated. Limits the multiplicities of the curves if it is the second one.
   Density density(Layout_curves& curves, const Layout_helices& helices, int most_quads) const
   {
     const Density free = density_of(curves, helices, curves.multiplicities_within(most_quads));
@@ -126,8 +135,8 @@ public:
       return free;
     curves.limit_multiplicities(helices.largest_multiplicities(m_structure.number_of_helices));
     const Density limited = density_of(curves, helices, curves.multiplicities_within(most_quads));
-    if(limited.price + m_goals.price_of_structure(limited.helices, 0, limited.quads)
-       <= free.price + m_goals.price_of_structure(free.helices, 0, free.quads))
+    if(limited.price + m_goals.price_of_structure(limited.helices, 0, limited.quads) <=
+       free.price + m_goals.price_of_structure(free.helices, 0, free.quads))
       return limited;
     curves.limit_multiplicities(std::vector<int>(curves.number_of_curves(), Layout_curves::any_multiplicity));
     return free;
@@ -152,7 +161,7 @@ private:
   }
 
   const Indexed_quad_mesh& m;
-  const Quad_mesh_structure& m_structure;     // of this mesh
+  const Quad_mesh_structure& m_structure; // of this mesh
   Layout_goals m_goals;
   const Layout_quantization& m_quantization;
   const Feature_bends& m_bends;
@@ -177,16 +186,17 @@ public:
   // may become one, and largest part of the quads of the input.
   static constexpr int quads_per_irregular_vertex = 20, quads_when_merging = 3;
   static constexpr double largest_part = 0.25;
-  // The first scale, as a part of the one at which a mesh would have so few quads if all its arcs became shorter alike. Factor
-  // between two scales, the largest one, and after how many at which nothing has become shorter no more are tried.
+  // The first scale, as a part of the one at which a mesh would have so few quads if all its arcs became shorter alike.
+  // Factor between two scales, the largest one, and after how many at which nothing has become shorter no more are
+  // tried.
   static constexpr double first_scale = 0.35, scale_step = 1.05, largest_scale = 100;
   static constexpr int futile_scales = 15;
   // A worse layout is taken with probability exp(-difference / temperature), the temperature falling by the same factor
   // from step to step.
   static constexpr double first_temperature = 1.5, last_temperature = 0.15;
-  // How often the search begins anew, with the best layout so far, as long as more helices are left than are tolerated or the
-  // shape is not accepted; less often on large meshes, whose layouts take longer: as often as they have together so many
-  // quads.
+  // How often the search begins anew, with the best layout so far, as long as more helices are left than are tolerated
+  // or the shape is not accepted; less often on large meshes, whose layouts take longer: as often as they have together
+  // so many quads.
   static constexpr int largest_number_of_rounds = 4, quads_of_all_rounds = 60000;
   // And how often before the shape is looked at.
   static constexpr int rounds_at_once = 2;
@@ -200,10 +210,12 @@ public:
   Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, const Layout_goals& goals,
                 Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed,
                 Any_visitor& visitor)
-    : m_quantization(quantization), m_cost(mesh, structure, goals, quantization, bends, is_fixed, visitor),
-      m_effort((std::min)(most_effort, (std::max)(1., double(quantization.length.size()) / easy_arcs))),
-      m_most_rounds((std::max)(1, (std::min)(largest_number_of_rounds, quads_of_all_rounds / mesh.number_of_faces())))
-  {}
+    : m_quantization(quantization)
+    , m_cost(mesh, structure, goals, quantization, bends, is_fixed, visitor)
+    , m_effort((std::min)(most_effort, (std::max)(1., double(quantization.length.size()) / easy_arcs)))
+    , m_most_rounds((std::max)(1, (std::min)(largest_number_of_rounds, quads_of_all_rounds / mesh.number_of_faces())))
+  {
+  }
 
   int number_of_rounds() const { return m_most_rounds; }
   const Layout_cost& cost() const { return m_cost; }
@@ -219,9 +231,10 @@ public:
                          : m_quantization.number_of_quads(m_quantization.length) <= quads;
     };
     if(quads > 0)
-      m_scale = (std::max)(1., first_scale * std::sqrt(double(m_quantization.number_of_quads(m_quantization.length)) / quads));
+      m_scale =
+        (std::max)(1., first_scale * std::sqrt(double(m_quantization.number_of_quads(m_quantization.length)) / quads));
     std::vector<int> before;
-    for(int futile = 0; futile < futile_scales && m_scale < largest_scale && !is_coarse() && go_further(); )
+    for(int futile = 0; futile < futile_scales && m_scale < largest_scale && !is_coarse() && go_further();)
     {
       before = m_quantization.length;
       m_scale *= scale_step;
@@ -231,19 +244,21 @@ public:
     }
   }
 
-  // Tries so many layouts in each round; ends with the best one. `runners_up` gets what was the best one for a while, the
-  // best last.
+  // Tries so many layouts in each round; ends with the best one. `runners_up` gets what was the best one for a while,
+  // the best last.
   template <typename GoFurther>
-  void anneal(int attempts, std::size_t target_patches, std::vector<std::vector<int> >& runners_up,
+  void anneal(int attempts, std::size_t target_patches, std::vector<std::vector<int>>& runners_up,
               const GoFurther& go_further)
   {
     m_cost.start(target_patches);
     anneal_further(attempts, runners_up, go_further);
   }
 
-  // Goes on, with less distortion if the shape of those so far was not accepted; false if there have been too many rounds.
+  // Goes on, with less distortion if the shape of those so far was not accepted; false if there have been too many
+  // rounds.
   template <typename GoFurther>
-  bool anneal_again(int attempts, bool with_caution, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  bool anneal_again(int attempts, bool with_caution, std::vector<std::vector<int>>& runners_up,
+                    const GoFurther& go_further)
   {
     if(m_rounds >= m_most_rounds)
       return false;
@@ -256,7 +271,7 @@ public:
 
 private:
   template <typename GoFurther>
-  void anneal_further(int attempts, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  void anneal_further(int attempts, std::vector<std::vector<int>>& runners_up, const GoFurther& go_further)
   {
     if(m_quantization.length.empty())
       return;
@@ -271,7 +286,7 @@ private:
   }
 
   template <typename GoFurther>
-  void anneal_once(int attempts, std::vector<std::vector<int> >& runners_up, const GoFurther& go_further)
+  void anneal_once(int attempts, std::vector<std::vector<int>>& runners_up, const GoFurther& go_further)
   {
     std::vector<int>& length = m_quantization.length;
     double now = m_cost(Layout_cost::forbidden), best = now;
@@ -287,10 +302,11 @@ private:
         const double r = m_random.get_double();
         const int arc = m_random.get_int(0, static_cast<int>(length.size()));
         const int by = m_random.get_bool() ? 1 : -1;
-        changed = m_quantization.change(arc, by, [&](std::size_t a, int change) { return change * price[a]; },
-                                        largest_edge_cost * r * r, false);
+        changed = m_quantization.change(
+          arc, by, [&](std::size_t a, int change) { return change * price[a]; }, largest_edge_cost * r * r, false);
       }
-      const double temperature = first_temperature * std::pow(last_temperature / first_temperature, double(i) / attempts);
+      const double temperature =
+        first_temperature * std::pow(last_temperature / first_temperature, double(i) / attempts);
       const double limit = now - temperature * std::log(1 - m_random.get_double());
       const double c = changed ? m_cost(limit) : Layout_cost::forbidden;
       if(c <= limit)

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Smooths a mesh between the operators of a `Structure_optimizer`, which keeps its positions apart, and remembers the last
-// mesh whose shape was accepted. `smooth(state, sweeps)` smooths and returns what has been done.
+// Smooths a mesh between the operators of a `Structure_optimizer`, which keeps its positions apart, and remembers the
+// last mesh whose shape was accepted. `smooth(state, sweeps)` smooths and returns what has been done.
 template <typename Smooth>
 class Shape_watch
 {
@@ -31,9 +31,14 @@ public:
   static constexpr int looks_per_gap = 12, gap_factor = 4;
 
   Shape_watch(Structure_optimizer& optimizer, const Accepted_shape& accepted, const Smooth& smooth, unsigned int sweeps)
-    : m_optimizer(optimizer), m_accepted(accepted), m_smooth(smooth), m_sweeps(sweeps), m_good(optimizer.state),
-      m_operators_of_good(optimizer.operators)
-  {}
+    : m_optimizer(optimizer)
+    , m_accepted(accepted)
+    , m_smooth(smooth)
+    , m_sweeps(sweeps)
+    , m_good(optimizer.state)
+    , m_operators_of_good(optimizer.operators)
+  {
+  }
 
   // To be called after each change of the mesh: false if it is time to look at the shape, and it is not accepted.
   bool accepts_next()
@@ -50,8 +55,8 @@ public:
     m_changes_since_look = 0;
     if(++m_looks % looks_per_gap == 0)
       m_gap *= gap_factor;
-    if(!m_accepted.accepts(m_smooth(m_optimizer.state, sweeps_between))
-       && !m_accepted.accepts(m_smooth(m_optimizer.state, m_sweeps)))
+    if(!m_accepted.accepts(m_smooth(m_optimizer.state, sweeps_between)) &&
+       !m_accepted.accepts(m_smooth(m_optimizer.state, m_sweeps)))
       return false;
     m_good = m_optimizer.state;
     m_operators_of_good = m_optimizer.operators;

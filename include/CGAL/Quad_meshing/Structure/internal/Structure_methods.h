@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is accepted
-// after smoothing; if the shape of none is, the mesh stays as it is. `smooth(state, sweeps)` smooths and returns what has been done.
+// Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is
+// accepted after smoothing; if the shape of none is, the mesh stays as it is. `smooth(state, sweeps)` smooths and
+// returns what has been done.
 template <typename Smooth>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
                      const Smooth& smooth, Any_visitor& visitor)
@@ -39,8 +40,9 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   // The part of the running time that a first search may take, so that some is left for its layouts.
   constexpr double search_share = 0.5;
   const std::size_t quads = optimizer.state.mesh.corners.size();
-  const std::size_t target = options.target_quads > 0 ? (std::min)(options.target_quads, quads)
-                           : options.collapse_dual_curves ? 1 : quads;
+  const std::size_t target = options.target_quads > 0       ? (std::min)(options.target_quads, quads)
+                             : options.collapse_dual_curves ? 1
+                                                            : quads;
   const int attempts = static_cast<int>(options.layouts);
   if(!visitor.go_further())
     return;
@@ -54,7 +56,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
   bool is_done = false;
-  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, visitor); )
+  for(int tried = 0; !is_done && quads_tried < most_quads && visitor.go_further() && layout.next(candidate, visitor);)
   {
     quads_tried += candidate.mesh.corners.size();
     const Structure_optimizer::Score score = Structure_optimizer::score_of(candidate.mesh);
@@ -80,7 +82,8 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
 
 // The greedy removal of helices. What spoils the shape of the quads is taken back.
 template <typename Watch, typename TargetReached>
-void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached, Any_visitor& visitor)
+void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached,
+                    Any_visitor& visitor)
 {
   // How often operators are taken back before no more are tried.
   constexpr int most_undone = 20;
@@ -106,13 +109,14 @@ void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetRe
       undo();
   }
   // helices that could not be removed at first get a second chance after others have gone
-  while(optimizer.score().is_better_than(before) && !target_reached() && undone < most_undone && optimizer.forget_failures()
-        && visitor.go_further());
+  while(optimizer.score().is_better_than(before) && !target_reached() && undone < most_undone &&
+        optimizer.forget_failures() && visitor.go_further());
 }
 
 // Collapses dual curves. If the shape is not accepted in the end, the last ones are taken back.
 template <typename Watch, typename TargetReached>
-void collapse_dual_curves(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached, Any_visitor& visitor)
+void collapse_dual_curves(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached,
+                          Any_visitor& visitor)
 {
   auto go_further = [&] { return visitor.go_further(); };
   while(!target_reached() && visitor.go_further() && optimizer.collapse_next_dual_curve(go_further))

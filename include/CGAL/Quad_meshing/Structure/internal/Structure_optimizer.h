@@ -40,17 +40,17 @@ public:
   // beyond is coarseness, not structure.
   static constexpr double least_share_of_quads = 0.4;
 
-  // What the removal of helices makes smaller: their number, in both ways of counting, and then the base complex. Neither number may
-  // grow: on a curve that crosses itself less than before, more of its turns count as helices.
+  // What the removal of helices makes smaller: their number, in both ways of counting, and then the base complex.
+  // Neither number may grow: on a curve that crosses itself less than before, more of its turns count as helices.
   struct Score
   {
     int patches = 0, helices = 0, helices_with_crossings = 0;
 
     bool is_better_than(const Score& s) const
     {
-      return helices <= s.helices && helices_with_crossings <= s.helices_with_crossings
-          && std::make_pair(helices + helices_with_crossings, patches)
-             < std::make_pair(s.helices + s.helices_with_crossings, s.patches);
+      return helices <= s.helices && helices_with_crossings <= s.helices_with_crossings &&
+             std::make_pair(helices + helices_with_crossings, patches) <
+               std::make_pair(s.helices + s.helices_with_crossings, s.patches);
     }
   };
 
@@ -60,9 +60,13 @@ public:
   std::vector<char> has_failed_if_undone;
 
   Structure_optimizer(Structure_state input, bool merge_singularities)
-    : state(std::move(input)), m_merge_singularities(merge_singularities),
-      m_unwind(merge_singularities), m_quads_of_input(state.mesh.number_of_faces()), m_score(score_of(state.mesh))
-  {}
+    : state(std::move(input))
+    , m_merge_singularities(merge_singularities)
+    , m_unwind(merge_singularities)
+    , m_quads_of_input(state.mesh.number_of_faces())
+    , m_score(score_of(state.mesh))
+  {
+  }
 
   const Score& score() const { return m_score; }
 
@@ -92,10 +96,9 @@ public:
     const Dual_lines lines(state.mesh);
     const std::vector<Side_relation> relation = side_relations(state.mesh, lines);
     std::vector<Helix_record> helices = minimal_helices(state.mesh, lines, relation, true);
-    std::stable_sort(helices.begin(), helices.end(), [](const Helix_record& a, const Helix_record& b)
-    {
-      return double(a.length) * b.turn_length > double(b.length) * a.turn_length;
-    });
+    std::stable_sort(helices.begin(), helices.end(),
+                     [](const Helix_record& a, const Helix_record& b)
+                     { return double(a.length) * b.turn_length > double(b.length) * a.turn_length; });
     for(const Helix_record& helix : helices)
     {
       const std::vector<int> bases = Helix_unwinding::bases_of(helix, state.mesh, lines);
@@ -111,8 +114,8 @@ public:
             return false;
           Structure_state result = state;
           std::size_t steps = 0;
-          if(!m_unwind(result, bases, i * columns / tried, upwards, std::abs(helix.pitch), steps)
-             || result.mesh.number_of_faces() < least_share_of_quads * m_quads_of_input)
+          if(!m_unwind(result, bases, i * columns / tried, upwards, std::abs(helix.pitch), steps) ||
+             result.mesh.number_of_faces() < least_share_of_quads * m_quads_of_input)
             continue;
           const Score score = score_of(result.mesh);
           if(score.is_better_than(m_score))
@@ -146,7 +149,7 @@ public:
     const Dual_lines lines(m);
     const Quad_vertex_rules rules = vertex_rules(state, m_merge_singularities);
     Gp_legality legality(m, rules);
-    std::vector<std::pair<int, int> > order;
+    std::vector<std::pair<int, int>> order;
     for(int l = 0; l < lines.number_of_lines(); ++l)
       if(lines.is_representative(l))
         order.emplace_back(lines.length[l], l);

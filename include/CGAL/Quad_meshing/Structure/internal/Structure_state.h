@@ -23,11 +23,11 @@ namespace internal {
 struct Structure_state
 {
   Indexed_quad_mesh mesh;
-  std::vector<char> is_fixed;       // per vertex: must not move, nor be merged with a special one
-  std::vector<char> has_failed;     // per face: the removal of the helix that begins here failed
-  std::vector<int> face_of;         // per face of the mesh before the last operator: its face now, or -1
-  std::vector<int> vertex_origin;   // per vertex: its number in the input
-  std::vector<int> face_origin;     // per face: its number in the input; corners are numbered as there
+  std::vector<char> is_fixed;     // per vertex: must not move, nor be merged with a special one
+  std::vector<char> has_failed;   // per face: the removal of the helix that begins here failed
+  std::vector<int> face_of;       // per face of the mesh before the last operator: its face now, or -1
+  std::vector<int> vertex_origin; // per vertex: its number in the input
+  std::vector<int> face_origin;   // per face: its number in the input; corners are numbered as there
 };
 
 inline Structure_state initial_structure_state(Indexed_quad_mesh mesh, std::vector<char> is_fixed)

@@ -38,7 +38,6 @@ inline bool is_closed_gp_path(const Indexed_quad_mesh& m, const Gp_path& path)
   return !path.empty();
 }
 
-
 // Edges that are constrained are not shifted.
 inline bool shifts_no_feature(const Indexed_quad_mesh& m, const Gp_path& path)
 {
@@ -48,8 +47,8 @@ inline bool shifts_no_feature(const Indexed_quad_mesh& m, const Gp_path& path)
   return true;
 }
 
-CGAL_QUAD_MESHING_INLINE Gp_path find_gp_operator(const Structure_state& state, bool merge_singularities, int first_step,
-                                                  const std::function<double(const Gp_step&)>& cost)
+CGAL_QUAD_MESHING_INLINE Gp_path find_gp_operator(const Structure_state& state, bool merge_singularities,
+                                                  int first_step, const std::function<double(const Gp_step&)>& cost)
 {
   const Quad_vertex_rules rules = vertex_rules(state, merge_singularities);
   Gp_search search(state.mesh, rules);
@@ -65,13 +64,13 @@ CGAL_QUAD_MESHING_INLINE Gp_path dual_curve_gp_operator(const Structure_state& s
   const Gp_path path = straight_path(state.mesh, h, kind);
   const Quad_vertex_rules rules = vertex_rules(state, merge_singularities);
   Gp_legality legality(state.mesh, rules);
-  const bool is_allowed = is_closed_gp_path(state.mesh, path) && shifts_no_feature(state.mesh, path)
-                       && !legality.check(path);
+  const bool is_allowed =
+    is_closed_gp_path(state.mesh, path) && shifts_no_feature(state.mesh, path) && !legality.check(path);
   return is_allowed ? path : Gp_path();
 }
 
-CGAL_QUAD_MESHING_INLINE bool apply_gp_operator(const Structure_state& state, bool merge_singularities, const Gp_path& path,
-                                                Structure_state& result)
+CGAL_QUAD_MESHING_INLINE bool apply_gp_operator(const Structure_state& state, bool merge_singularities,
+                                                const Gp_path& path, Structure_state& result)
 {
   if(!is_closed_gp_path(state.mesh, path) || !shifts_no_feature(state.mesh, path))
     return false;

@@ -32,20 +32,19 @@ struct Structure_options
   std::size_t target_patches = 0;
   unsigned int layouts = 10000;
   unsigned int smoothing_iterations = 20;
-  double maximum_running_time = (std::numeric_limits<double>::infinity)();   // seconds
+  double maximum_running_time = (std::numeric_limits<double>::infinity)(); // seconds
 };
 
 // Optimizes the mesh of `state`, which has faces. If the visitor asks for an end, the state is of no use.
-CGAL_QUAD_MESHING_INLINE Quad_structure_optimization_result
-optimize_indexed_quad_structure(Structure_state& state, Smoothing_reference& reference, const Structure_options& options,
-                                Any_visitor& visitor);
+CGAL_QUAD_MESHING_INLINE Quad_structure_optimization_result optimize_indexed_quad_structure(
+  Structure_state& state, Smoothing_reference& reference, const Structure_options& options, Any_visitor& visitor);
 
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL
 
 #ifndef CGAL_QUAD_MESHING_COMPILED_KERNELS
-#  include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure_impl.h>
+#include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure_impl.h>
 #endif
 
 #endif // CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_OPTIMIZE_INDEXED_QUAD_STRUCTURE_H

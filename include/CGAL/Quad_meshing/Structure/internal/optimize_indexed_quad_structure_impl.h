@@ -30,9 +30,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // The method that is asked for, the collapses of section 10.4, and the smoothing.
-CGAL_QUAD_MESHING_INLINE Quad_structure_optimization_result
-optimize_indexed_quad_structure(Structure_state& state, Smoothing_reference& reference, const Structure_options& options,
-                                Any_visitor& visitor)
+CGAL_QUAD_MESHING_INLINE Quad_structure_optimization_result optimize_indexed_quad_structure(
+  Structure_state& state, Smoothing_reference& reference, const Structure_options& options, Any_visitor& visitor)
 {
   Quad_structure_optimization_result result;
   Watched_visitor watched(visitor, options.maximum_running_time);
@@ -40,17 +39,18 @@ optimize_indexed_quad_structure(Structure_state& state, Smoothing_reference& ref
   result.structure_before = structure_of_quad_mesh(optimizer.state.mesh);
   auto target_reached = [&]
   {
-    return (options.target_quads > 0 && optimizer.state.mesh.corners.size() <= options.target_quads)
-        || (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
+    return (options.target_quads > 0 && optimizer.state.mesh.corners.size() <= options.target_quads) ||
+           (options.target_patches > 0 && std::size_t(optimizer.score().patches) <= options.target_patches);
   };
   Silent_visitor silent(watched);
   // the vertices of a new layout may have to go far
-  const bool is_new_layout = options.method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0;
+  const bool is_new_layout =
+    options.method == Structure_method::LAYOUT && result.structure_before.number_of_irregular_vertices > 0;
   auto smooth_with = [&](Structure_state& s, unsigned int sweeps, bool globally)
   {
     return options.smoothing_iterations == 0
-      ? Quad_mesh_smoothing_result()
-      : smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, Smoothing_options{ sweeps, globally }, silent);
+             ? Quad_mesh_smoothing_result()
+             : smooth_indexed_quad_mesh(s.mesh, reference, s.is_fixed, Smoothing_options{ sweeps, globally }, silent);
   };
   auto smooth = [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, false); };
   Accepted_shape accepted;
@@ -63,8 +63,9 @@ optimize_indexed_quad_structure(Structure_state& state, Smoothing_reference& ref
   {
     const Visited_stage stage(watched, "structure");
     if(is_new_layout)
-      optimize_layout(optimizer, options, accepted,
-                      [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, true); }, watched);
+      optimize_layout(
+        optimizer, options, accepted,
+        [&](Structure_state& s, unsigned int sweeps) { return smooth_with(s, sweeps, true); }, watched);
     else
     {
       Shape_watch<decltype(smooth)> watch(optimizer, accepted, smooth, options.smoothing_iterations);
@@ -83,8 +84,9 @@ optimize_indexed_quad_structure(Structure_state& state, Smoothing_reference& ref
   const std::vector<Indexed_quad_mesh::Point_3> points = m.points;
   const bool is_smoothed = watched.go_further() && options.smoothing_iterations > 0;
   if(is_smoothed)
-    result.smoothing = smooth_indexed_quad_mesh(m, reference, optimizer.state.is_fixed,
-                                                Smoothing_options{ options.smoothing_iterations, is_new_layout }, watched);
+    result.smoothing =
+      smooth_indexed_quad_mesh(m, reference, optimizer.state.is_fixed,
+                               Smoothing_options{ options.smoothing_iterations, is_new_layout }, watched);
   if(!is_smoothed || !accepted.accepts(result.smoothing))
   {
     m.points = points;
@@ -103,10 +105,10 @@ optimize_indexed_quad_structure(Structure_state& state, Smoothing_reference& ref
   }
   result.is_time_up = watched.is_time_up();
   result.structure_after = structure_of_quad_mesh(m);
-  result.message = "The base complex has " + std::to_string(result.structure_after.number_of_patches) + " patches, "
-                 + std::to_string(result.structure_before.number_of_patches) + " before; the number of helices is "
-                 + std::to_string(result.structure_after.number_of_helices) + ", "
-                 + std::to_string(result.structure_before.number_of_helices) + " before.";
+  result.message = "The base complex has " + std::to_string(result.structure_after.number_of_patches) + " patches, " +
+                   std::to_string(result.structure_before.number_of_patches) + " before; the number of helices is " +
+                   std::to_string(result.structure_after.number_of_helices) + ", " +
+                   std::to_string(result.structure_before.number_of_helices) + " before.";
   if(options.target_patches > 0 && result.structure_after.number_of_patches > options.target_patches)
     result.message += " The target of " + std::to_string(options.target_patches) + " patches has not been reached.";
   if(options.target_quads > 1 && result.structure_after.number_of_quads > options.target_quads)
