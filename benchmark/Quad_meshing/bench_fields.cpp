@@ -57,16 +57,16 @@ Figures compute(Mesh& tm, QM::Cross_field_method method)
   return fastest(
     [&]
     {
-    const QM::Cross_field_result r =
-      QM::smooth_cross_field(tm, angle, period_jump, index, CGAL::parameters::cross_field_method(method));
-    Figures figures;
-    figures.energy = r.energy;
-    figures.seconds = r.seconds;
-    figures.singularities = r.singularities;
-    figures.integers = r.integers;
-    figures.is_valid = r.is_valid();
-    return figures;
-  });
+      const QM::Cross_field_result r =
+        QM::smooth_cross_field(tm, angle, period_jump, index, CGAL::parameters::cross_field_method(method));
+      Figures figures;
+      figures.energy = r.energy;
+      figures.seconds = r.seconds;
+      figures.singularities = r.singularities;
+      figures.integers = r.integers;
+      figures.is_valid = r.is_valid();
+      return figures;
+    });
 }
 
 Figures compute_with_three_levels(const Mesh& tm)
@@ -74,18 +74,18 @@ Figures compute_with_three_levels(const Mesh& tm)
   return fastest(
     [&]
     {
-    CGAL::Real_timer timer;
-    timer.start();
-    const Problem problem = field_problem(tm);
-    const QM::Mixed_integer_solution s =
-      QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(QM::Rounding_method::GREEDY)
-                                         .maximum_dense_integers(0)
-                                         .rounding_tolerance(1e-3));
-    Figures figures;
-    figures.energy = s.energy;
-    figures.seconds = timer.time();
-    return figures;
-  });
+      CGAL::Real_timer timer;
+      timer.start();
+      const Problem problem = field_problem(tm);
+      const QM::Mixed_integer_solution s =
+        QM::solve_mixed_integer(problem, CGAL::parameters::rounding_method(QM::Rounding_method::GREEDY)
+                                           .maximum_dense_integers(0)
+                                           .rounding_tolerance(1e-3));
+      Figures figures;
+      figures.energy = s.energy;
+      figures.seconds = timer.time();
+      return figures;
+    });
 }
 
 // The relaxation takes long with more integers.

@@ -81,13 +81,13 @@ void bench(const std::string& filename)
   const double total = seconds(
     [&]
     {
-    if(!QM::read_triangle_mesh(filename, tm))
-      return;
-    q = std::make_unique<Quadrangulation>(tm, tm.points());
-    r = q->run();
-    std::ofstream out(file);
-    CGAL::IO::write_OBJ(out, q->quads().mesh, CGAL::parameters::stream_precision(17));
-  });
+      if(!QM::read_triangle_mesh(filename, tm))
+        return;
+      q = std::make_unique<Quadrangulation>(tm, tm.points());
+      r = q->run();
+      std::ofstream out(file);
+      CGAL::IO::write_OBJ(out, q->quads().mesh, CGAL::parameters::stream_precision(17));
+    });
   std::filesystem::remove(file);
   const std::string name = filename.substr(filename.find_last_of('/') + 1);
   if(!q)
@@ -100,9 +100,9 @@ void bench(const std::string& filename)
   const double cholesky = seconds(
     [&]
     {
-    QM::Sparse_cholesky<double> solver;
-    solver.compute(A);
-  });
+      QM::Sparse_cholesky<double> solver;
+      solver.compute(A);
+    });
   std::printf("%-18s %-9s %7zu triangles: from file to file %.2f s, one Cholesky factorization %.3f s, ratio %.1f\n",
               name.c_str(), QM::status_name(r.status), r.input_faces, total, cholesky, total / cholesky);
   std::printf("  Table 8.1: field %7zu unknowns %6d integers %6.2f s | map %7d unknowns %4d integers %6.2f s | %d "

@@ -54,12 +54,12 @@ inline Problem make_map(int width, int integers)
   for_each_grid_edge(width,
                      [&](int i, int j, bool is_down, Problem::Linear_form form)
                      {
-    // Cut k crosses the edges of a row segment.
-    const int cut = (i * integers) / width;
-    if(is_down && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
-      form.emplace_back(width * width + cut, 1.);
-    problem.add_squared_residual(form, random.get_double(-0.6, 0.7));
-  });
+                       // Cut k crosses the edges of a row segment.
+                       const int cut = (i * integers) / width;
+                       if(is_down && i % ((std::max)(1, width / integers)) == 0 && j < width / 2)
+                         form.emplace_back(width * width + cut, 1.);
+                       problem.add_squared_residual(form, random.get_double(-0.6, 0.7));
+                     });
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   return problem;
 }
@@ -121,11 +121,11 @@ inline Problem make_field(int width)
   for_each_grid_edge(width,
                      [&](int, int j, bool is_down, Problem::Linear_form form)
                      {
-    const bool is_tree_edge = !is_down || j == 0;
-    if(!is_tree_edge)
-      form.emplace_back(problem.add_variable(true), quarter);
-    problem.add_squared_residual(form, random.get_double(-0.25, 0.25));
-  });
+                       const bool is_tree_edge = !is_down || j == 0;
+                       if(!is_tree_edge)
+                         form.emplace_back(problem.add_variable(true), quarter);
+                       problem.add_squared_residual(form, random.get_double(-0.25, 0.25));
+                     });
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   return problem;
 }

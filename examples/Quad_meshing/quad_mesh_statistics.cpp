@@ -169,55 +169,56 @@ void report_deviation(const Mesh& qm, const std::string& filename, double sharp_
 
 int main(int argc, char* argv[])
 {
-  return command_line::run("quad_mesh_statistics",
-                           [&]
-                           {
-    po::options_description options("Options");
-    options.add_options()("reference", po::value<std::string>(),
-                          "triangle mesh that the quad mesh stands for: adds distances and kept features")(
-      "sharp-angle", po::value<double>()->default_value(40),
-      "edges of the reference with a larger angle between normals are sharp (degrees)")(
-      "worst", po::value<long long>()->default_value(10), "number of worst quads to list")(
-      "json", po::value<std::string>(), "file for the figures as one flat JSON object");
-    command_line::Arguments args("quad_mesh_statistics", "measures the quad mesh IN", { "IN" }, options);
-    if(!args.parse(argc, argv))
-      return static_cast<int>(command_line::done);
-    const std::string filename = args.positional(0);
-    const double sharp_angle = args.number("sharp-angle", 0, 180);
-    const int number_of_worst = static_cast<int>(args.whole_number("worst", 0, (std::numeric_limits<int>::max)()));
-
-    std::vector<Point_3> points;
-    std::vector<std::vector<std::size_t>> polygons;
-    command_line::read_soup(filename, points, polygons);
-    if(polygons.empty())
-      throw command_line::Unusable_input(filename + ": has no faces");
-
-    Report report;
-    const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
-    std::string message;
-    for(const std::string& reason : defects.reasons())
-      message += (message.empty() ? "" : "; ") + reason;
-    const bool is_pure = defects.is_pure_quad_mesh();
-    report.add("status", is_pure ? "done" : "not a pure quad mesh", filename);
-    report.add("valid", is_pure, "valid pure quad mesh");
-    report.add("message", message, "reasons against it");
-    report.add("faces", defects.faces, "faces");
-    report.add("faces_not_quads", defects.faces_not_quads, "faces that are not quads");
-    report.add("isolated_vertices", defects.isolated_vertices, "vertices without a face");
-
-    if(is_pure)
+  return command_line::run(
+    "quad_mesh_statistics",
+    [&]
     {
-      Mesh qm;
-      PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
-      report_structure(qm, report);
-      report_quality(qm, report, number_of_worst);
-      if(args.has("reference"))
-        report_deviation(qm, args.value<std::string>("reference"), sharp_angle, report);
-    }
-    if(args.has("json"))
-      command_line::write_json(args.value<std::string>("json"), report.json());
-    if(!is_pure)
-      std::cerr << "quad_mesh_statistics: " << filename << ": not a pure quad mesh: " << message << std::endl;
-    return static_cast<int>(is_pure ? command_line::done : command_line::not_valid);
-  });
+      po::options_description options("Options");
+      options.add_options()("reference", po::value<std::string>(),
+                            "triangle mesh that the quad mesh stands for: adds distances and kept features")(
+        "sharp-angle", po::value<double>()->default_value(40),
+        "edges of the reference with a larger angle between normals are sharp (degrees)")(
+        "worst", po::value<long long>()->default_value(10), "number of worst quads to list")(
+        "json", po::value<std::string>(), "file for the figures as one flat JSON object");
+      command_line::Arguments args("quad_mesh_statistics", "measures the quad mesh IN", { "IN" }, options);
+      if(!args.parse(argc, argv))
+        return static_cast<int>(command_line::done);
+      const std::string filename = args.positional(0);
+      const double sharp_angle = args.number("sharp-angle", 0, 180);
+      const int number_of_worst = static_cast<int>(args.whole_number("worst", 0, (std::numeric_limits<int>::max)()));
+
+      std::vector<Point_3> points;
+      std::vector<std::vector<std::size_t>> polygons;
+      command_line::read_soup(filename, points, polygons);
+      if(polygons.empty())
+        throw command_line::Unusable_input(filename + ": has no faces");
+
+      Report report;
+      const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
+      std::string message;
+      for(const std::string& reason : defects.reasons())
+        message += (message.empty() ? "" : "; ") + reason;
+      const bool is_pure = defects.is_pure_quad_mesh();
+      report.add("status", is_pure ? "done" : "not a pure quad mesh", filename);
+      report.add("valid", is_pure, "valid pure quad mesh");
+      report.add("message", message, "reasons against it");
+      report.add("faces", defects.faces, "faces");
+      report.add("faces_not_quads", defects.faces_not_quads, "faces that are not quads");
+      report.add("isolated_vertices", defects.isolated_vertices, "vertices without a face");
+
+      if(is_pure)
+      {
+        Mesh qm;
+        PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
+        report_structure(qm, report);
+        report_quality(qm, report, number_of_worst);
+        if(args.has("reference"))
+          report_deviation(qm, args.value<std::string>("reference"), sharp_angle, report);
+      }
+      if(args.has("json"))
+        command_line::write_json(args.value<std::string>("json"), report.json());
+      if(!is_pure)
+        std::cerr << "quad_mesh_statistics: " << filename << ": not a pure quad mesh: " << message << std::endl;
+      return static_cast<int>(is_pure ? command_line::done : command_line::not_valid);
+    });
 }

@@ -96,98 +96,99 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
 
 int main(int argc, char* argv[])
 {
-  return command_line::run("quadrangulate",
-                           [&]
-                           {
-    po::options_description options("Options");
-    options.add_options()("target-edge-length", po::value<double>(),
-                          "length of the quad edges, in the unit of the input")(
-      "target-quads", po::value<double>()->default_value(4000), "number of quads, where no edge length is given")(
-      "sharp-angle", po::value<double>()->default_value(40),
-      "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")(
-      "align-boundary", po::value<std::string>()->default_value("on"),
-      "on or off: make the boundary a chain of quad edges")(
-      "field", po::value<std::string>()->default_value("polished"),
-      "representation, greedy or polished: how the singularities of the cross field are found")(
-      "curvature-alignment", po::value<double>()->default_value(1),
-      "0 to 1: how much quads follow the directions in which the surface bends least")(
-      "rounding", po::value<std::string>()->default_value("greedy"),
-      "direct, greedy or lattice: how integers are found")(
-      "optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")(
-      "seed", po::value<long long>()->default_value(0),
-      "seed of the edge lengths that are tried when the given one allows no valid map")(
-      "threads", po::value<long long>()->default_value(1),
-      "how many threads may work at the same time; the result is the same")(
-      "time-limit", po::value<double>(), "seconds after which the best mesh so far is written")(
-      "save-field", po::value<std::string>(),
-      "file for the cross field: x y z of a centroid and of a direction per line")(
-      "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
-      "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
-    command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
-                                 options);
-    if(!args.parse(argc, argv))
-      return command_line::done;
-
-    double edge_length = 0;
-    if(args.has("target-edge-length"))
-      edge_length = args.positive_number("target-edge-length");
-    const double number_of_quads = args.positive_number("target-quads");
-    const double sharp_angle = args.number("sharp-angle", 0, 180);
-    const bool align_boundary = args.is_on("align-boundary");
-    const QM::Rounding_method methods[] = { QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY,
-                                            QM::Rounding_method::LATTICE };
-    const QM::Rounding_method rounding = methods[args.choice("rounding", { "direct", "greedy", "lattice" })];
-
-    const QM::Cross_field_method fields[] = { QM::Cross_field_method::REPRESENTATION, QM::Cross_field_method::GREEDY,
-                                              QM::Cross_field_method::POLISHED };
-    const QM::Cross_field_method field = fields[args.choice("field", { "representation", "greedy", "polished" })];
-
-    const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
-    command_line::check_mesh_output(args.positional(1));
-    for(const char* file : { "save-field", "json" })
-      if(args.has(file))
-        command_line::check_output(args.value<std::string>(file));
-    if(args.has("save-uv"))
-      command_line::check_output(args.value<std::string>("save-uv"), { "obj" });
-
-    Quadrangulation q(tm, tm.points());
-    q.options.target_edge_length = edge_length;
-    q.options.target_number_of_quads = number_of_quads;
-    q.options.sharpness_angle = sharp_angle;
-    q.options.align_boundary = align_boundary;
-    q.options.curvature_alignment = args.number("curvature-alignment", 0, 1);
-    q.options.cross_field_method = field;
-    q.options.rounding_method = rounding;
-    q.options.optimize_structure = args.has("optimize-structure");
-    q.options.number_of_threads = args.number_of_threads();
-    q.options.random_seed = args.random_seed();
-
-    if(args.has("time-limit"))
-      q.options.maximum_running_time = args.positive_number("time-limit");
-
-    QM::Quadrangulation_result result;
+  return command_line::run(
+    "quadrangulate",
+    [&]
     {
-      command_line::Progress_bar progress;
-      result = q.run(progress);
-    }
+      po::options_description options("Options");
+      options.add_options()("target-edge-length", po::value<double>(),
+                            "length of the quad edges, in the unit of the input")(
+        "target-quads", po::value<double>()->default_value(4000), "number of quads, where no edge length is given")(
+        "sharp-angle", po::value<double>()->default_value(40),
+        "edges with a larger angle between the normals (degrees) become chains of quad edges; 180: none")(
+        "align-boundary", po::value<std::string>()->default_value("on"),
+        "on or off: make the boundary a chain of quad edges")(
+        "field", po::value<std::string>()->default_value("polished"),
+        "representation, greedy or polished: how the singularities of the cross field are found")(
+        "curvature-alignment", po::value<double>()->default_value(1),
+        "0 to 1: how much quads follow the directions in which the surface bends least")(
+        "rounding", po::value<std::string>()->default_value("greedy"),
+        "direct, greedy or lattice: how integers are found")(
+        "optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")(
+        "seed", po::value<long long>()->default_value(0),
+        "seed of the edge lengths that are tried when the given one allows no valid map")(
+        "threads", po::value<long long>()->default_value(1),
+        "how many threads may work at the same time; the result is the same")(
+        "time-limit", po::value<double>(), "seconds after which the best mesh so far is written")(
+        "save-field", po::value<std::string>(),
+        "file for the cross field: x y z of a centroid and of a direction per line")(
+        "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
+        "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
+      command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
+                                   options);
+      if(!args.parse(argc, argv))
+        return command_line::done;
 
-    if(args.has("json"))
-      command_line::write_json(args.value<std::string>("json"), figures(result));
-    if(result.status == QM::Quadrangulation_status::INVALID_INPUT)
-      throw command_line::Unusable_input(args.positional(0) + ": " + result.message);
-    if(args.has("save-field"))
-      write_field(args.value<std::string>("save-field"), q.surface());
-    if(args.has("save-uv"))
-      write_map(args.value<std::string>("save-uv"), q.surface());
-    if(q.quads().mesh.number_of_faces() > 0)
-      command_line::write_mesh(args.positional(1), q.quads().mesh);
+      double edge_length = 0;
+      if(args.has("target-edge-length"))
+        edge_length = args.positive_number("target-edge-length");
+      const double number_of_quads = args.positive_number("target-quads");
+      const double sharp_angle = args.number("sharp-angle", 0, 180);
+      const bool align_boundary = args.is_on("align-boundary");
+      const QM::Rounding_method methods[] = { QM::Rounding_method::DIRECT, QM::Rounding_method::GREEDY,
+                                              QM::Rounding_method::LATTICE };
+      const QM::Rounding_method rounding = methods[args.choice("rounding", { "direct", "greedy", "lattice" })];
 
-    std::cout << result.message << "\n"
-              << result.quads << " quads, " << result.irregular_vertices << " irregular vertices, "
-              << result.total_seconds << " s" << std::endl;
-    if(!result.is_valid())
-      std::cerr << "quadrangulate: " << args.positional(0)
-                << ": the result is not valid: " << command_line::one_line(result.message) << std::endl;
-    return result.is_valid() ? command_line::done : command_line::not_valid;
-  });
+      const QM::Cross_field_method fields[] = { QM::Cross_field_method::REPRESENTATION, QM::Cross_field_method::GREEDY,
+                                                QM::Cross_field_method::POLISHED };
+      const QM::Cross_field_method field = fields[args.choice("field", { "representation", "greedy", "polished" })];
+
+      const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
+      command_line::check_mesh_output(args.positional(1));
+      for(const char* file : { "save-field", "json" })
+        if(args.has(file))
+          command_line::check_output(args.value<std::string>(file));
+      if(args.has("save-uv"))
+        command_line::check_output(args.value<std::string>("save-uv"), { "obj" });
+
+      Quadrangulation q(tm, tm.points());
+      q.options.target_edge_length = edge_length;
+      q.options.target_number_of_quads = number_of_quads;
+      q.options.sharpness_angle = sharp_angle;
+      q.options.align_boundary = align_boundary;
+      q.options.curvature_alignment = args.number("curvature-alignment", 0, 1);
+      q.options.cross_field_method = field;
+      q.options.rounding_method = rounding;
+      q.options.optimize_structure = args.has("optimize-structure");
+      q.options.number_of_threads = args.number_of_threads();
+      q.options.random_seed = args.random_seed();
+
+      if(args.has("time-limit"))
+        q.options.maximum_running_time = args.positive_number("time-limit");
+
+      QM::Quadrangulation_result result;
+      {
+        command_line::Progress_bar progress;
+        result = q.run(progress);
+      }
+
+      if(args.has("json"))
+        command_line::write_json(args.value<std::string>("json"), figures(result));
+      if(result.status == QM::Quadrangulation_status::INVALID_INPUT)
+        throw command_line::Unusable_input(args.positional(0) + ": " + result.message);
+      if(args.has("save-field"))
+        write_field(args.value<std::string>("save-field"), q.surface());
+      if(args.has("save-uv"))
+        write_map(args.value<std::string>("save-uv"), q.surface());
+      if(q.quads().mesh.number_of_faces() > 0)
+        command_line::write_mesh(args.positional(1), q.quads().mesh);
+
+      std::cout << result.message << "\n"
+                << result.quads << " quads, " << result.irregular_vertices << " irregular vertices, "
+                << result.total_seconds << " s" << std::endl;
+      if(!result.is_valid())
+        std::cerr << "quadrangulate: " << args.positional(0)
+                  << ": the result is not valid: " << command_line::one_line(result.message) << std::endl;
+      return result.is_valid() ? command_line::done : command_line::not_valid;
+    });
 }

@@ -69,10 +69,11 @@ inline Soup uneven_square(int n, unsigned int seed)
   return mapped(grid(n, n),
                 [&](const Point_3& p)
                 {
-    const bool is_inside = p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1;
-    const double size = is_inside ? 0.25 / n : 0, dx = random.get_double(-1., 1.), dy = random.get_double(-1., 1.);
-    return Point_3(p.x() + size * dx, p.y() + size * dy, 0);
-  });
+                  const bool is_inside = p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1;
+                  const double size = is_inside ? 0.25 / n : 0, dx = random.get_double(-1., 1.),
+                               dy = random.get_double(-1., 1.);
+                  return Point_3(p.x() + size * dx, p.y() + size * dy, 0);
+                });
 }
 
 // A fan of n triangles around vertex 0, each with the angle `angle` at the apex, refined `levels` times, with sides of

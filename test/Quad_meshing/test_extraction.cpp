@@ -377,9 +377,9 @@ Result extract_without_unfolding(const Mapped_mesh& m, Mesh& qm)
     internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm,
                                [&](std::size_t i)
                                {
-      const auto p = internal::position(mesh, quads.vertices[i]);
-      return qm.add_vertex(Point_3(p.x(), p.y(), p.z()));
-    });
+                                 const auto p = internal::position(mesh, quads.vertices[i]);
+                                 return qm.add_vertex(Point_3(p.x(), p.y(), p.z()));
+                               });
   return r;
 }
 
@@ -662,12 +662,12 @@ void test_interface()
   stage_checks::check_stops(
     [&](stage_checks::Counting_visitor& visitor)
     {
-    Mesh qm;
-    const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::visitor(std::ref(visitor)));
-    assert(r.is_valid() || r.status == Status::STOPPED);
-    assert(qm.is_empty() == (r.status == Status::STOPPED));
-    return r.is_valid();
-  });
+      Mesh qm;
+      const Result r = CGAL::Quad_meshing::extract_quad_mesh(m.mesh, m.uv, qm, params::visitor(std::ref(visitor)));
+      assert(r.is_valid() || r.status == Status::STOPPED);
+      assert(qm.is_empty() == (r.status == Status::STOPPED));
+      return r.is_valid();
+    });
 
   // Into a polyhedron, and from one; the second copy is added to the first.
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;

@@ -53,9 +53,9 @@ void test_salient_directions()
     Mesh tm = make_mesh(mapped(cylinder(60, 40, false),
                                [](const Point_3& p)
                                {
-      const double t = std::atan2(p.y(), p.x()) + 0.4 * p.z();
-      return Point_3(std::cos(t), std::sin(t), p.z());
-    }));
+                                 const double t = std::atan2(p.y(), p.x()) + 0.4 * p.z();
+                                 return Point_3(std::cos(t), std::sin(t), p.z());
+                               }));
     auto direction = tm.add_property_map<Face, Direction>("f:d").first;
     const int n = QM::salient_directions(tm, 0.3, direction).number_of_faces;
     int found = 0;
@@ -140,11 +140,12 @@ void test_sizing()
     Mesh tm = make_mesh(mapped(grid(120, 20, 6, 1),
                                [](const Point_3& p)
                                {
-      const double r = 0.5, x = p.x() - 3;
-      return x < 0 ? Point_3(x, p.y(), 0)
-                   : Point_3(r * std::sin((std::min)(x / r, pi)) - (std::max)(0., x - pi * r), p.y(),
-                             r * (1 - std::cos((std::min)(x / r, pi))));
-    }));
+                                 const double r = 0.5, x = p.x() - 3;
+                                 return x < 0
+                                          ? Point_3(x, p.y(), 0)
+                                          : Point_3(r * std::sin((std::min)(x / r, pi)) - (std::max)(0., x - pi * r),
+                                                    p.y(), r * (1 - std::cos((std::min)(x / r, pi))));
+                               }));
     auto sizing = tm.add_property_map<Face, double>("f:s").first;
     QM::curvature_sizing(tm, 0.005, 0.01, 2, sizing, params::sizing_gradation(0.2));
     double shortest = 10, longest = 0;
@@ -184,23 +185,24 @@ void test_stops()
   stage_checks::check_stops(
     [&](stage_checks::Counting_visitor& visitor)
     {
-    for(Face f : tm.faces())
-      direction[f] = Vector_3(0, 0, 7);
-    const bool is_done = QM::salient_directions(tm, 0.2, direction, params::visitor(std::ref(visitor))).is_valid();
-    for(Face f : tm.faces())
-      assert(is_done || (direction[f] && *direction[f] == Vector_3(0, 0, 7)));
-    return is_done;
-  });
+      for(Face f : tm.faces())
+        direction[f] = Vector_3(0, 0, 7);
+      const bool is_done = QM::salient_directions(tm, 0.2, direction, params::visitor(std::ref(visitor))).is_valid();
+      for(Face f : tm.faces())
+        assert(is_done || (direction[f] && *direction[f] == Vector_3(0, 0, 7)));
+      return is_done;
+    });
   stage_checks::check_stops(
     [&](stage_checks::Counting_visitor& visitor)
     {
-    for(Face f : tm.faces())
-      sizing[f] = 7;
-    const bool is_done = QM::curvature_sizing(tm, 0.01, 0.01, 1, sizing, params::visitor(std::ref(visitor))).is_valid();
-    for(Face f : tm.faces())
-      assert((sizing[f] == 7) != is_done);
-    return is_done;
-  });
+      for(Face f : tm.faces())
+        sizing[f] = 7;
+      const bool is_done =
+        QM::curvature_sizing(tm, 0.01, 0.01, 1, sizing, params::visitor(std::ref(visitor))).is_valid();
+      for(Face f : tm.faces())
+        assert((sizing[f] == 7) != is_done);
+      return is_done;
+    });
 }
 
 // How far directions are on the mean from those that are known, in radians, weighted; 1 if nothing has a weight.
@@ -300,13 +302,13 @@ void test_curvature_directions()
   stage_checks::check_stops(
     [&](stage_checks::Counting_visitor& visitor)
     {
-    for(Face f : tm.faces())
-      weight[f] = 7;
-    const bool is_done =
-      QM::curvature_directions(tm, 0.2, direction, weight, params::visitor(std::ref(visitor))).is_valid();
-    assert(is_done || weight[*tm.faces().begin()] == 7);
-    return is_done;
-  });
+      for(Face f : tm.faces())
+        weight[f] = 7;
+      const bool is_done =
+        QM::curvature_directions(tm, 0.2, direction, weight, params::visitor(std::ref(visitor))).is_valid();
+      assert(is_done || weight[*tm.faces().begin()] == 7);
+      return is_done;
+    });
 }
 
 // Soft directions in a field: with no weight they do nothing, with a large one what hard ones do; in between, no small

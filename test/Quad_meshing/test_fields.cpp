@@ -852,12 +852,12 @@ void test_surface_weights()
     Field f(mapped(grid(40, 40, 1, 1),
                    [&](const Point_3& p)
                    {
-      const double x = graded(p.x()), y = 2 * p.y() - 1;
-      return side == 0   ? Point_3(x, y, 0)
-             : side == 1 ? Point_3(-y, x, 0)
-             : side == 2 ? Point_3(-x, -y, 0)
-                         : Point_3(y, -x, 0);
-    }));
+                     const double x = graded(p.x()), y = 2 * p.y() - 1;
+                     return side == 0   ? Point_3(x, y, 0)
+                            : side == 1 ? Point_3(-y, x, 0)
+                            : side == 2 ? Point_3(-x, -y, 0)
+                                        : Point_3(y, -x, 0);
+                   }));
     auto given = f.tm.add_property_map<Face, Direction>("f:given", Direction()).first;
     for(Halfedge h : f.tm.halfedges())
       if(f.tm.is_border(f.tm.opposite(h)))
@@ -927,12 +927,12 @@ void test_input()
       Field f(mapped(kind == 2 ? icosphere(3) : torus(20, 12),
                      [&](const Point_3& p)
                      {
-        if(kind == 0)
-          return Point_3(p.x() > 0.9 ? 0.9 : p.x(), p.y(), p.x() > 0.9 ? 0. : p.z());
-        if(kind == 1)
-          return Point_3(p.x(), p.y() > 0.8 ? 0.8 + 1e-13 * p.y() : p.y(), p.z());
-        return p.z() > 0.5 ? Point_3(0, 0, 0.9) : p;
-      }));
+                       if(kind == 0)
+                         return Point_3(p.x() > 0.9 ? 0.9 : p.x(), p.y(), p.x() > 0.9 ? 0. : p.z());
+                       if(kind == 1)
+                         return Point_3(p.x(), p.y() > 0.8 ? 0.8 + 1e-13 * p.y() : p.y(), p.z());
+                       return p.z() > 0.5 ? Point_3(0, 0, 0.9) : p;
+                     }));
       const Result r = compute(f);
       assert(std::isfinite(r.energy) && r.index_sum == 4 * euler_number(f.tm));
     }
@@ -1111,19 +1111,19 @@ void test_stops()
       stage_checks::check_stops(
         [&](stage_checks::Counting_visitor& visitor)
         {
-        Field f(shaken(cube(10), 0.01));
-        mark_sharp_edges(f, 60);
-        for(Face face : f.tm.faces())
-          f.angle[face] = 17;
-        const Result r = CGAL::Quad_meshing::smooth_cross_field(
-          f.tm, f.angle, f.jump, f.index,
-          params::cross_field_method(method).edge_is_constrained_map(f.feature).target_edge_length(length).visitor(
-            std::ref(visitor)));
-        assert(r.status == Status::STOPPED || r.is_valid());
-        for(Face face : f.tm.faces())
-          assert((f.angle[face] == 17) == (r.status == Status::STOPPED));
-        return r.is_valid();
-      });
+          Field f(shaken(cube(10), 0.01));
+          mark_sharp_edges(f, 60);
+          for(Face face : f.tm.faces())
+            f.angle[face] = 17;
+          const Result r = CGAL::Quad_meshing::smooth_cross_field(
+            f.tm, f.angle, f.jump, f.index,
+            params::cross_field_method(method).edge_is_constrained_map(f.feature).target_edge_length(length).visitor(
+              std::ref(visitor)));
+          assert(r.status == Status::STOPPED || r.is_valid());
+          for(Face face : f.tm.faces())
+            assert((f.angle[face] == 17) == (r.status == Status::STOPPED));
+          return r.is_valid();
+        });
 }
 
 void test_real_meshes()

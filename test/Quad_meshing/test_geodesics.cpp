@@ -278,12 +278,12 @@ void test_hole()
     assert(largest_error(tm, field,
                          [&](Vertex v)
                          {
-      double best = infinity;
-      for(int i = 0; i < 5; ++i)
-        if(is_visible(nodes[i], tm.point(v)))
-          best = (std::min)(best, d[i] + distance(nodes[i], tm.point(v)));
-      return best;
-           }) < 1e-12);
+                           double best = infinity;
+                           for(int i = 0; i < 5; ++i)
+                             if(is_visible(nodes[i], tm.point(v)))
+                               best = (std::min)(best, d[i] + distance(nodes[i], tm.point(v)));
+                           return best;
+                         }) < 1e-12);
     check_without_windows(tm, field);
   }
 }
@@ -583,14 +583,14 @@ void test_concurrent_queries()
     threads.emplace_back(
       [&, t]
       {
-      // some begin with the same groups, some elsewhere
-      for(int k = 0; k < n; ++k)
-      {
-        const int i = (t % 2 == 0 ? k : n - 1 - k + t) % n;
-        if(ask(shared, i) != expected[std::size_t(i)])
-          ++differences;
-      }
-    });
+        // some begin with the same groups, some elsewhere
+        for(int k = 0; k < n; ++k)
+        {
+          const int i = (t % 2 == 0 ? k : n - 1 - k + t) % n;
+          if(ask(shared, i) != expected[std::size_t(i)])
+            ++differences;
+        }
+      });
   for(std::thread& thread : threads)
     thread.join();
   assert(differences == 0 && shared.number_of_windows() == one.number_of_windows());

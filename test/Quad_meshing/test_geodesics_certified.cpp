@@ -433,14 +433,16 @@ void test_narrow_windows()
     soups.push_back(mapped(grid(24, 24),
                            [&](const Point_3& p)
                            {
-      const Point_3 q = rotated(Point_3(p.x(), p.y(), height * std::sin(40 * p.x()) * std::sin(50 * p.y())));
-      return Point_3(rounded(q.x()), rounded(q.y()), rounded(q.z()));
-    }));
+                             const Point_3 q =
+                               rotated(Point_3(p.x(), p.y(), height * std::sin(40 * p.x()) * std::sin(50 * p.y())));
+                             return Point_3(rounded(q.x()), rounded(q.y()), rounded(q.z()));
+                           }));
   for(double frequency : { 12., 17., 25. })
-    soups.push_back(mapped(grid(24, 24),
-                           [&](const Point_3& p) {
-      return Point_3(p.x(), p.y(), 0.1 * std::cos(frequency * (p.x() - 0.5)) * std::cos(frequency * (p.y() - 0.5)));
-    }));
+    soups.push_back(mapped(
+      grid(24, 24),
+      [&](const Point_3& p) {
+        return Point_3(p.x(), p.y(), 0.1 * std::cos(frequency * (p.x() - 0.5)) * std::cos(frequency * (p.y() - 0.5)));
+      }));
   for(const Soup& soup : soups)
   {
     Mesh tm = make_mesh(soup);

@@ -279,9 +279,9 @@ void test_angles()
     assert(sum.exceeds(half_turns, slack,
                        [&]
                        {
-      ++doubts;
-      return expected;
-    }) == expected);
+                         ++doubts;
+                         return expected;
+                       }) == expected);
     wrong += (plain > half_turns * std::acos(-1.) + slack) != expected;
     ++answers[expected];
   }

@@ -749,21 +749,22 @@ void test_merging()
   ring = test_meshes::mapped(ring,
                              [](const Point_3& p)
                              {
-    return p.x() == 9 ? Point_3(1, 0, p.y())
-                      : Point_3(std::cos(p.x() * 2 * CGAL_PI / 9), std::sin(p.x() * 2 * CGAL_PI / 9), p.y());
-  });
+                               return p.x() == 9 ? Point_3(1, 0, p.y())
+                                                 : Point_3(std::cos(p.x() * 2 * CGAL_PI / 9),
+                                                           std::sin(p.x() * 2 * CGAL_PI / 9), p.y());
+                             });
   result = read_text("ring.off", off_text(ring), tm);
   assert(result && number_of_borders(tm) == 2 && tm.number_of_vertices() == 18 && result.counts.merged_vertices == 2);
   Soup moebius = test_meshes::strip(9);
   moebius = test_meshes::mapped(moebius,
                                 [](const Point_3& p)
                                 {
-    const double a = p.x() * 2 * CGAL_PI / 9, w = p.y() - 0.5;
-    if(p.x() == 9)
-      return Point_3(3 - w, 0, 0);
-    return Point_3((3 + w * std::cos(a / 2)) * std::cos(a), (3 + w * std::cos(a / 2)) * std::sin(a),
-                   w * std::sin(a / 2));
-  });
+                                  const double a = p.x() * 2 * CGAL_PI / 9, w = p.y() - 0.5;
+                                  if(p.x() == 9)
+                                    return Point_3(3 - w, 0, 0);
+                                  return Point_3((3 + w * std::cos(a / 2)) * std::cos(a),
+                                                 (3 + w * std::cos(a / 2)) * std::sin(a), w * std::sin(a / 2));
+                                });
   result = read_text("cut_moebius.off", off_text(moebius), tm);
   assert(result && number_of_borders(tm) == 1 && tm.number_of_vertices() == 20);
   check_refused("loose_moebius.obj", scattered_obj(moebius), Status::NOT_ORIENTABLE, "Moebius");

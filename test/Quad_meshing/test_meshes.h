@@ -92,9 +92,10 @@ inline Soup perturbed(const Soup& soup, double amplitude, unsigned int seed = 0)
   return mapped(soup,
                 [&](const Point_3& p)
                 {
-    const double dx = random.get_double(-1., 1.), dy = random.get_double(-1., 1.), dz = random.get_double(-1., 1.);
-    return p + amplitude * Vector_3(dx, dy, dz);
-  });
+                  const double dx = random.get_double(-1., 1.), dy = random.get_double(-1., 1.),
+                               dz = random.get_double(-1., 1.);
+                  return p + amplitude * Vector_3(dx, dy, dz);
+                });
 }
 
 // Every triangle split into four at the midpoints of its edges: V + E vertices, 4F triangles.

@@ -131,27 +131,27 @@ double brute_force(const Problem& problem, double upper, const std::vector<int>&
   for_each_integer_point(low, high,
                          [&](const std::vector<int>& y)
                          {
-    for(int i = 0; i < m; ++i)
-      x[i] = y[i];
-    if(r + e > 0)
-    {
-      rhs.head(r) = b.tail(r) - A.bottomLeftCorner(r, m) * x.head(m);
-      rhs.tail(e) = d - C.leftCols(m) * x.head(m);
-      if(r > 0)
-        x.tail(r) = solver.solve(rhs).head(r);
-      if(e > 0 && (C * x - d).cwiseAbs().maxCoeff() > 1e-7)
-        return;
-    }
-    for(const Problem::Linear_constraint& c : problem.inequality_constraints())
-    {
-      double value = -c.rhs;
-      for(const std::pair<int, double>& a : c.form)
-        value += a.second * x[a.first];
-      if(value > 1e-7)
-        return;
-    }
-    best = (std::min)(best, 0.5 * x.dot(A * x) - x.dot(b) + problem.constant());
-  });
+                           for(int i = 0; i < m; ++i)
+                             x[i] = y[i];
+                           if(r + e > 0)
+                           {
+                             rhs.head(r) = b.tail(r) - A.bottomLeftCorner(r, m) * x.head(m);
+                             rhs.tail(e) = d - C.leftCols(m) * x.head(m);
+                             if(r > 0)
+                               x.tail(r) = solver.solve(rhs).head(r);
+                             if(e > 0 && (C * x - d).cwiseAbs().maxCoeff() > 1e-7)
+                               return;
+                           }
+                           for(const Problem::Linear_constraint& c : problem.inequality_constraints())
+                           {
+                             double value = -c.rhs;
+                             for(const std::pair<int, double>& a : c.form)
+                               value += a.second * x[a.first];
+                             if(value > 1e-7)
+                               return;
+                           }
+                           best = (std::min)(best, 0.5 * x.dot(A * x) - x.dot(b) + problem.constant());
+                         });
   return best;
 }
 
@@ -458,19 +458,19 @@ void test_linear_programs(CGAL::Random& random)
     for_each_integer_point(low, high,
                            [&](const std::vector<int>& y)
                            {
-      for(const std::vector<int>& row : rows)
-      {
-        int value = 0;
-        for(int i = 0; i < n; ++i)
-          value += row[i] * y[i];
-        if(value > row[n])
-          return;
-      }
-      int energy = 0;
-      for(int i = 0; i < n; ++i)
-        energy -= static_cast<int>(b[i]) * y[i];
-      best = (std::min)(best, energy);
-    });
+                             for(const std::vector<int>& row : rows)
+                             {
+                               int value = 0;
+                               for(int i = 0; i < n; ++i)
+                                 value += row[i] * y[i];
+                               if(value > row[n])
+                                 return;
+                             }
+                             int energy = 0;
+                             for(int i = 0; i < n; ++i)
+                               energy -= static_cast<int>(b[i]) * y[i];
+                             best = (std::min)(best, energy);
+                           });
     const bool is_feasible = best < (std::numeric_limits<int>::max)();
     feasible += is_feasible;
     for(QM::Rounding_method method : { QM::Rounding_method::CUTTING_PLANES, QM::Rounding_method::BRANCH_AND_CUT,
@@ -514,10 +514,10 @@ Problem grid_problem(CGAL::Random& random, int width, int integers)
   for_each_grid_edge(width,
                      [&](int, int, bool, Problem::Linear_form form)
                      {
-    if(random.get_int(0, 4) == 0)
-      form.emplace_back(jumps[random.get_int(0, integers)], random.get_int(0, 2) ? 1. : -1.);
-    problem.add_squared_residual(form, uniform(random, -0.7, 0.7));
-  });
+                       if(random.get_int(0, 4) == 0)
+                         form.emplace_back(jumps[random.get_int(0, integers)], random.get_int(0, 2) ? 1. : -1.);
+                       problem.add_squared_residual(form, uniform(random, -0.7, 0.7));
+                     });
   problem.add_equality_constraint({ { 0, 1. } }, 0.);
   return problem;
 }
@@ -619,10 +619,10 @@ void test_leaves(CGAL::Random& random)
     for_each_grid_edge(width,
                        [&](int, int j, bool is_down, Problem::Linear_form form)
                        {
-      if(is_down && j > 0)
-        form.emplace_back(problem.add_variable(true), uniform(random, 0.5, 2.));
-      problem.add_squared_residual(form, uniform(random, -1., 1.));
-    });
+                         if(is_down && j > 0)
+                           form.emplace_back(problem.add_variable(true), uniform(random, 0.5, 2.));
+                         problem.add_squared_residual(form, uniform(random, -1., 1.));
+                       });
     problem.add_squared_residual({ { 0, 1. } }, 0.3);
     problem.add_squared_residual({ { problem.add_variable(true), 1. } }, 0.4); // without neighbors
     if(trial > 2)
@@ -1032,9 +1032,9 @@ Test_case with_random_numbers(const char* name, const Test& test)
 {
   return { name, [test]()
            {
-    CGAL::Random random(7);
-    test(random);
-          } };
+             CGAL::Random random(7);
+             test(random);
+           } };
 }
 
 int main(int argc, char** argv)

@@ -90,10 +90,10 @@ Problem local_integers(int width)
   for_each_grid_edge(width,
                      [&](int, int j, bool is_down, Problem::Linear_form form)
                      {
-    if(is_down && j > 0)
-      form.emplace_back(problem.add_variable(true), 1.);
-    problem.add_squared_residual(form, random.get_double(-1., 1.));
-  });
+                       if(is_down && j > 0)
+                         form.emplace_back(problem.add_variable(true), 1.);
+                       problem.add_squared_residual(form, random.get_double(-1., 1.));
+                     });
   problem.add_squared_residual({ { 0, 1. } }, 0.3);
   return problem;
 }
@@ -151,7 +151,7 @@ std::vector<Long_work> long_works()
         problem,
         params::rounding_method(method).maximum_number_of_nodes(infinite).maximum_running_time(seconds).visitor(
           std::ref(watch)));
-      };
+    };
   };
   std::vector<Long_work> works;
   works.push_back({ "lattice", coupled_integers(150, 0.), with(Method::LATTICE), true });
@@ -165,22 +165,22 @@ std::vector<Long_work> long_works()
   works.push_back({ "greedy", local_integers(75),
                     [](const Problem& problem, Watch& watch, double seconds)
                     {
-    return QM::solve_mixed_integer(problem, params::rounding_method(Method::GREEDY)
-                                              .rounding_tolerance(1e-12)
-                                              .simultaneous_rounding(false)
-                                              .maximum_running_time(seconds)
-                                              .visitor(std::ref(watch)));
-                   },
+                      return QM::solve_mixed_integer(problem, params::rounding_method(Method::GREEDY)
+                                                                .rounding_tolerance(1e-12)
+                                                                .simultaneous_rounding(false)
+                                                                .maximum_running_time(seconds)
+                                                                .visitor(std::ref(watch)));
+                    },
                     true });
   works.push_back({ "relaxation", coupled_integers(120, 0.),
                     [](const Problem& problem, Watch& watch, double seconds)
                     {
-    return QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE)
-                                              .maximum_number_of_nodes(1e4)
-                                              .number_of_bound_rounds(1000)
-                                              .maximum_running_time(seconds)
-                                              .visitor(std::ref(watch)));
-                   },
+                      return QM::solve_mixed_integer(problem, params::rounding_method(Method::LATTICE)
+                                                                .maximum_number_of_nodes(1e4)
+                                                                .number_of_bound_rounds(1000)
+                                                                .maximum_running_time(seconds)
+                                                                .visitor(std::ref(watch)));
+                    },
                     true });
   return works;
 }

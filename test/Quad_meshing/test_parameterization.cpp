@@ -255,12 +255,14 @@ void test_narrow_patches()
 {
   const int columns = 21, rows = 40;
   const double chamfer = 0.02;
-  const test_meshes::Soup sheet = test_meshes::mapped(test_meshes::grid(columns, rows, columns, 4),
-                                                      [&](const Kernel::Point_3& p)
-                                                      {
-    const double i = std::round(p.x());
-    return i <= 10 ? Kernel::Point_3(0.1 * i, p.y(), 0) : Kernel::Point_3(1 + chamfer, p.y(), chamfer + 0.1 * (i - 11));
-  });
+  const test_meshes::Soup sheet =
+    test_meshes::mapped(test_meshes::grid(columns, rows, columns, 4),
+                        [&](const Kernel::Point_3& p)
+                        {
+                          const double i = std::round(p.x());
+                          return i <= 10 ? Kernel::Point_3(0.1 * i, p.y(), 0)
+                                         : Kernel::Point_3(1 + chamfer, p.y(), chamfer + 0.1 * (i - 11));
+                        });
   assert(kept_edges(sheet, 0) == 2 * rows);
   assert(kept_edges(sheet, 0.05) == 2 * rows);
   assert(kept_edges(sheet, 0.3) == rows);
@@ -870,16 +872,16 @@ void test_stops()
   stage_checks::check_stops(
     [&](stage_checks::Counting_visitor& visitor)
     {
-    for(Mesh::Halfedge_index h : m.tm.halfedges())
-      m.uv[h] = Kernel::Point_2(17, 17);
-    const auto r = QM::integer_grid_map(
-      m.tm, m.angle, m.jump, m.index, m.uv,
-      parameters::target_edge_length(0.3).edge_is_constrained_map(m.is_feature).visitor(std::ref(visitor)));
-    assert(r.is_valid() || r.status == QM::Integer_grid_map_status::STOPPED);
-    for(Mesh::Halfedge_index h : m.tm.halfedges())
-      assert(r.is_valid() || m.uv[h] == Kernel::Point_2(17, 17));
-    return r.is_valid();
-  });
+      for(Mesh::Halfedge_index h : m.tm.halfedges())
+        m.uv[h] = Kernel::Point_2(17, 17);
+      const auto r = QM::integer_grid_map(
+        m.tm, m.angle, m.jump, m.index, m.uv,
+        parameters::target_edge_length(0.3).edge_is_constrained_map(m.is_feature).visitor(std::ref(visitor)));
+      assert(r.is_valid() || r.status == QM::Integer_grid_map_status::STOPPED);
+      for(Mesh::Halfedge_index h : m.tm.halfedges())
+        assert(r.is_valid() || m.uv[h] == Kernel::Point_2(17, 17));
+      return r.is_valid();
+    });
 }
 
 void test_cut_graphs()

@@ -152,19 +152,20 @@ Quad_extraction_result extract_quad_mesh(const TriangleMesh& tm, HalfedgeUVMap u
 
   Quad_vpm quad_vpm = get(vertex_point, qm);
   auto face_location_map = get_parameter(np, internal_np::face_location_map);
-  internal::write_grid_graph(quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm,
-                             [&](std::size_t i)
-                             {
-    const internal::Grid_location& l = quads.vertices[i];
-    const quad_vertex_descriptor v = add_vertex(qm);
-    const auto p = internal::position(mesh, l);
-    put(quad_vpm, v, Quad_point(p.x(), p.y(), p.z()));
-    if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
-      put(face_location_map, v, std::make_pair(face_of_index[l.face], l.weights));
-    else
-      CGAL_USE(face_location_map);
-    return v;
-  });
+  internal::write_grid_graph(
+    quads.graph, quads.vertex_of_ray, quads.vertices.size(), qm,
+    [&](std::size_t i)
+    {
+      const internal::Grid_location& l = quads.vertices[i];
+      const quad_vertex_descriptor v = add_vertex(qm);
+      const auto p = internal::position(mesh, l);
+      put(quad_vpm, v, Quad_point(p.x(), p.y(), p.z()));
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::face_location_map_t>::value)
+        put(face_location_map, v, std::make_pair(face_of_index[l.face], l.weights));
+      else
+        CGAL_USE(face_location_map);
+      return v;
+    });
   return result;
 }
 

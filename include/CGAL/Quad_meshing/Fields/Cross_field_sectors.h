@@ -64,12 +64,13 @@ public:
     internal::for_each_edge_of_faces(tm,
                                      [&](auto ed, int e)
                                      {
-      if(m_mesh.is_border_edge(e))
-        return;
-      const int h = m_mesh.halfedge_of_edge[e];
-      m_residual[e] = angles[h / 3] + m_frames.kappa(e) + internal::quarter_turn * get(period_jump, ed) -
-                      angles[m_mesh.opposite[h] / 3];
-    });
+                                       if(m_mesh.is_border_edge(e))
+                                         return;
+                                       const int h = m_mesh.halfedge_of_edge[e];
+                                       m_residual[e] = angles[h / 3] + m_frames.kappa(e) +
+                                                       internal::quarter_turn * get(period_jump, ed) -
+                                                       angles[m_mesh.opposite[h] / 3];
+                                     });
   }
 
   /*!

@@ -252,9 +252,9 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   internal::for_each_edge_of_faces(tm,
                                    [&](edge_descriptor ed, int e)
                                    {
-    if(!mesh.is_border_edge(e))
-      put(period_jump, ed, field.period_jump[e]);
-  });
+                                     if(!mesh.is_border_edge(e))
+                                       put(period_jump, ed, field.period_jump[e]);
+                                   });
   const std::vector<int> indices = internal::field_indices(problem, field);
   for(auto v : vertices(tm))
   {

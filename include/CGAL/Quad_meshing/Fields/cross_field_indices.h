@@ -98,11 +98,11 @@ Cross_field_report<TriangleMesh> report_on_cross_field(const TriangleMesh& tm, F
   for_each_edge_of_faces(tm,
                          [&](edge_descriptor ed, int e)
                          {
-    edge_of_number.push_back(ed);
-    problem.aligned[e] = get(constrained, ed) || (align_boundary && mesh.is_border_edge(e));
-    if(!mesh.is_border_edge(e))
-      field.period_jump[e] = get(period_jump, ed);
-  });
+                           edge_of_number.push_back(ed);
+                           problem.aligned[e] = get(constrained, ed) || (align_boundary && mesh.is_border_edge(e));
+                           if(!mesh.is_border_edge(e))
+                             field.period_jump[e] = get(period_jump, ed);
+                         });
   problem.sectors = make_field_sectors(mesh, problem.aligned);
   const Field_defects defects = inspect_field(problem, field);
 
@@ -221,8 +221,8 @@ Cross_field_report<TriangleMesh> cross_field_indices(const TriangleMesh& tm, Fac
     tm, angle, period_jump,
     [&](vertex_descriptor v, int i)
     {
-    put(index, v, i);
-    return i;
+      put(index, v, i);
+      return i;
     },
     np);
 }

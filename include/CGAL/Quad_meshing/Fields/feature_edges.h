@@ -74,9 +74,9 @@ Feature_edges_result detect_feature_edges(const TriangleMesh& tm, double angle_i
   internal::for_each_edge_of_faces(tm,
                                    [&](auto e, int i)
                                    {
-    if(is_feature_edge[i])
-      put(is_feature, e, true);
-  });
+                                     if(is_feature_edge[i])
+                                       put(is_feature, e, true);
+                                   });
   return result;
 }
 

@@ -303,15 +303,15 @@ public:
       m_propagation->run(
         [&](double front)
         {
-        visitor.progress(m_mesh.number_of_vertices() == 0
-                           ? 1.
-                           : double(m_propagation->number_of_passed_vertices()) / m_mesh.number_of_vertices());
-        if(!visitor.go_further())
-          result.status = Geodesic_distance_status::STOPPED;
-        else if(front > limit || (!target_indices.empty() && all_nearer(target_indices, front)))
-          result.status = Geodesic_distance_status::LIMIT_REACHED;
-        return result.status == Geodesic_distance_status::SUCCESS;
-      });
+          visitor.progress(m_mesh.number_of_vertices() == 0
+                             ? 1.
+                             : double(m_propagation->number_of_passed_vertices()) / m_mesh.number_of_vertices());
+          if(!visitor.go_further())
+            result.status = Geodesic_distance_status::STOPPED;
+          else if(front > limit || (!target_indices.empty() && all_nearer(target_indices, front)))
+            result.status = Geodesic_distance_status::LIMIT_REACHED;
+          return result.status == Geodesic_distance_status::SUCCESS;
+        });
       visitor.on_stage_end("geodesic distances");
     }
     result.number_of_unreached_vertices = vertices(m_tm).size();
@@ -474,10 +474,10 @@ private:
 
   bool all_nearer(const std::vector<int>& targets, double front) const
   {
-    return std::all_of(targets.begin(), targets.end(),
-                       [&](int v) {
-      return m_propagation->is_reached(v) && internal::as_double(m_propagation->label(v).distance) < front;
-    });
+    return std::all_of(
+      targets.begin(), targets.end(),
+      [&](int v)
+      { return m_propagation->is_reached(v) && internal::as_double(m_propagation->label(v).distance) < front; });
   }
 
   const TriangleMesh& m_tm;

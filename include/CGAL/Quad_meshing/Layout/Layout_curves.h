@@ -93,10 +93,10 @@ public:
     for_each_feature_edge(bends,
                           [&](int curve, double l, double bend)
                           {
-      const double distance = bend / (8 * multiplicity[curve] * multiplicity[curve]);
-      sum += l * (std::max)(0., distance / feature_distance - 1);
-      length += l;
-    });
+                            const double distance = bend / (8 * multiplicity[curve] * multiplicity[curve]);
+                            sum += l * (std::max)(0., distance / feature_distance - 1);
+                            length += l;
+                          });
     return length > 0 ? sum / length : 0;
   }
 

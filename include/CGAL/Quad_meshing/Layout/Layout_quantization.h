@@ -336,13 +336,14 @@ private:
         g.borders -= x.is_border;
       }
     }
-    result.is_allowed = result.is_allowed && std::all_of(groups.begin(), groups.end(),
-                                                         [](const Group& g)
-                                                         {
-      return g.special <= 1 && g.features <= 1 && g.borders <= 1 &&
-             (g.features == 0 || g.borders == 0 || g.special == 1) &&
-             (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
-                        });
+    result.is_allowed =
+      result.is_allowed && std::all_of(groups.begin(), groups.end(),
+                                       [](const Group& g)
+                                       {
+                                         return g.special <= 1 && g.features <= 1 && g.borders <= 1 &&
+                                                (g.features == 0 || g.borders == 0 || g.special == 1) &&
+                                                (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
+                                       });
     return result;
   }
 

@@ -228,9 +228,10 @@ Integer_grid_map_result integer_grid_map(const TriangleMesh& tm, FaceAngleMap an
   internal::for_each_edge_of_faces(tm,
                                    [&](edge_descriptor e, int i)
                                    {
-    problem.period_jump[i] = get(period_jump, e);
-    problem.is_aligned[i] = get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
-  });
+                                     problem.period_jump[i] = get(period_jump, e);
+                                     problem.is_aligned[i] =
+                                       get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
+                                   });
   for(auto v : vertices(tm))
   {
     const int i = static_cast<int>(get(vim, v)), h = mesh.halfedge_of_vertex[i];

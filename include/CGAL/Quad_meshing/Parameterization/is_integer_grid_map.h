@@ -166,9 +166,10 @@ Integer_grid_map_report<TriangleMesh> is_integer_grid_map(const TriangleMesh& tm
   internal::for_each_edge_of_faces(tm,
                                    [&](edge_descriptor e, int i)
                                    {
-    edge_of_number[i] = e;
-    is_aligned[i] = get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
-  });
+                                     edge_of_number[i] = e;
+                                     is_aligned[i] =
+                                       get(is_constrained, e) || (align_boundary && mesh.is_border_edge(i));
+                                   });
   std::vector<vertex_descriptor> vertex_of_number(mesh.number_of_vertices());
   for(vertex_descriptor v : vertices(tm))
     vertex_of_number[get(vim, v)] = v;

@@ -46,16 +46,16 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
     [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor, auto vpm,
         auto)
     {
-    const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
-    const Quad_mesh_smoothing_result result =
-      smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, options, visitor);
-    for(std::size_t i = 0; i < copy.vertices.size(); ++i)
-    {
-      const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
-      if(p != before[i])
-        put(vpm, copy.vertices[i], Point(p.x(), p.y(), p.z()));
-    }
-    return result;
+      const std::vector<Indexed_quad_mesh::Point_3> before = copy.mesh.points;
+      const Quad_mesh_smoothing_result result =
+        smooth_indexed_quad_mesh(copy.mesh, reference, is_fixed, options, visitor);
+      for(std::size_t i = 0; i < copy.vertices.size(); ++i)
+      {
+        const Indexed_quad_mesh::Point_3& p = copy.mesh.points[i];
+        if(p != before[i])
+          put(vpm, copy.vertices[i], Point(p.x(), p.y(), p.z()));
+      }
+      return result;
     });
 }
 
@@ -160,10 +160,10 @@ Quad_mesh_smoothing_result smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm
                                             const NamedParametersTM& np_tm = parameters::default_values())
 {
   CGAL_precondition(is_triangle_mesh(tm));
-  return internal::smooth_quad_mesh_with(qm, np_qm,
-                                         [&](const internal::Indexed_quad_mesh& m) {
-    return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm));
-  });
+  return internal::smooth_quad_mesh_with(
+    qm, np_qm,
+    [&](const internal::Indexed_quad_mesh& m)
+    { return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm)); });
 }
 
 /*!

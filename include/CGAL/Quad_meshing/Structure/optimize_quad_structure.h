@@ -58,19 +58,20 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
                                         [&](const auto& copy, const std::vector<char>& is_fixed,
                                             Smoothing_reference& reference, Any_visitor& visitor, auto vpm, auto ecm)
                                         {
-    if(copy.mesh.number_of_faces() == 0)
-    {
-      Result result;
-      result.status = Structure_optimization_status::NOT_A_QUAD_MESH;
-      result.message = "The mesh has no faces.";
-      return result;
-    }
-    Structure_state s = initial_structure_state(copy.mesh, is_fixed);
-    const Result result = optimize_indexed_quad_structure(s, reference, options, visitor);
-    if(result.status == Structure_optimization_status::OPTIMIZED)
-      write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
-    return result;
-  });
+                                          if(copy.mesh.number_of_faces() == 0)
+                                          {
+                                            Result result;
+                                            result.status = Structure_optimization_status::NOT_A_QUAD_MESH;
+                                            result.message = "The mesh has no faces.";
+                                            return result;
+                                          }
+                                          Structure_state s = initial_structure_state(copy.mesh, is_fixed);
+                                          const Result result =
+                                            optimize_indexed_quad_structure(s, reference, options, visitor);
+                                          if(result.status == Structure_optimization_status::OPTIMIZED)
+                                            write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
+                                          return result;
+                                        });
 }
 
 } // namespace internal
@@ -184,10 +185,10 @@ optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
                         const NamedParametersTM& np_tm = parameters::default_values())
 {
   CGAL_precondition(is_triangle_mesh(tm));
-  return internal::optimize_quad_structure_with(qm, np_qm,
-                                                [&](const internal::Indexed_quad_mesh& m) {
-    return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm));
-  });
+  return internal::optimize_quad_structure_with(
+    qm, np_qm,
+    [&](const internal::Indexed_quad_mesh& m)
+    { return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm)); });
 }
 
 /*!

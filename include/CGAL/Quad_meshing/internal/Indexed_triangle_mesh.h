@@ -204,19 +204,19 @@ Indexed_triangle_mesh make_indexed_triangle_mesh(const TriangleMesh& tm, VertexP
   for_each_edge_of_faces(tm,
                          [&](auto e, int id)
                          {
-    const int h = index(halfedge(e, tm)), o = index(opposite(halfedge(e, tm), tm));
-    m.halfedge_of_edge.push_back(h != -1 ? h : o);
-    if(h != -1)
-    {
-      m.opposite[h] = o;
-      m.edge_of[h] = id;
-    }
-    if(o != -1)
-    {
-      m.opposite[o] = h;
-      m.edge_of[o] = id;
-    }
-  });
+                           const int h = index(halfedge(e, tm)), o = index(opposite(halfedge(e, tm), tm));
+                           m.halfedge_of_edge.push_back(h != -1 ? h : o);
+                           if(h != -1)
+                           {
+                             m.opposite[h] = o;
+                             m.edge_of[h] = id;
+                           }
+                           if(o != -1)
+                           {
+                             m.opposite[o] = h;
+                             m.edge_of[o] = id;
+                           }
+                         });
 
   m.halfedge_of_vertex.assign(nv, -1);
   for(int h = 0; h < m.number_of_halfedges(); ++h)

@@ -161,9 +161,9 @@ inline int number_of_singular_vertices_off_grid(const Grid_map& map)
     for_each_corner_of_vertex(map.mesh, v,
                               [&](int g)
                               {
-      positive &= map.sign[g / 3] > 0;
-      for_each_direction_in_sector(map, g, [&](int, int) { ++quarters; });
-    });
+                                positive &= map.sign[g / 3] > 0;
+                                for_each_direction_in_sector(map, g, [&](int, int) { ++quarters; });
+                              });
     n += positive && quarters != 4;
   }
   return n;

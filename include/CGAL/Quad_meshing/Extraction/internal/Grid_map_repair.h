@@ -255,10 +255,11 @@ private:
   bool unfold(int v, Grid_automorphism& holonomy)
   {
     m_fan.clear();
-    for_each_corner_of_vertex(m_mesh, v,
-                              [&](int h) {
-      m_fan.push_back(Sector{ h, m_fan.empty() ? Grid_automorphism() : m_fan.back().to_first * m_map.transition[h] });
-    });
+    for_each_corner_of_vertex(
+      m_mesh, v,
+      [&](int h) {
+        m_fan.push_back(Sector{ h, m_fan.empty() ? Grid_automorphism() : m_fan.back().to_first * m_map.transition[h] });
+      });
     const int first = m_fan.front().h;
     if(m_mesh.opposite[first] == -1)
       return false;

@@ -332,8 +332,8 @@ private:
         first_ray[i + 1] - r0, [&](int k) { return ray_sign[r0 + k]; },
         [&](int k, int l)
         {
-        mate[r0 + k] = r0 + l;
-        mate[r0 + l] = r0 + k;
+          mate[r0 + k] = r0 + l;
+          mate[r0 + l] = r0 + k;
         },
         left);
     }

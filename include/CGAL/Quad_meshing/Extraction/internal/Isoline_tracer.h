@@ -354,16 +354,17 @@ private:
     for_each_corner_of_vertex(m_mesh, m_mesh.source(h),
                               [&](int g)
                               {
-      if(g != m_mesh.halfedge_of_vertex[m_mesh.source(h)])
-        turned += m_map.transition[g].r;
-      for_each_direction_in_sector(m_map, g,
-                                   [&](int e, int s)
-                                   {
-        if((g == here.h && e == here.d) || (arrival == -1 && g == there.h && e == there.d))
-          arrival = static_cast<int>(m_fan.size());
-        m_fan.push_back(Fan_ray{ g, e, (e + turned) & 3, s });
-      });
-    });
+                                if(g != m_mesh.halfedge_of_vertex[m_mesh.source(h)])
+                                  turned += m_map.transition[g].r;
+                                for_each_direction_in_sector(
+                                  m_map, g,
+                                  [&](int e, int s)
+                                  {
+                                    if((g == here.h && e == here.d) || (arrival == -1 && g == there.h && e == there.d))
+                                      arrival = static_cast<int>(m_fan.size());
+                                    m_fan.push_back(Fan_ray{ g, e, (e + turned) & 3, s });
+                                  });
+                              });
     if(arrival == -1)
       return finish(FAILED);
 
@@ -384,10 +385,10 @@ private:
       n, [&](int i) { return m_fan[i].sign; },
       [&](int i, int j)
       {
-      if(i == a)
-        partner = j;
-      else if(j == a)
-        partner = i;
+        if(i == a)
+          partner = j;
+        else if(j == a)
+          partner = i;
       },
       m_live);
     if(partner == -1)

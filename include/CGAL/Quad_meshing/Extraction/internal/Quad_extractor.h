@@ -215,10 +215,10 @@ private:
     m_result.merged_vertices = graph_repair.merged_nodes;
     m_result.removed_edges = graph_repair.removed_edges;
 
-    const Grid_face_splitter splitter(m_graph, largest_degree_kept,
-                                      [&](int m, int n) {
-      return squared_distance(position(m_map.mesh, m_locations[m]), position(m_map.mesh, m_locations[n]));
-    });
+    const Grid_face_splitter splitter(
+      m_graph, largest_degree_kept,
+      [&](int m, int n)
+      { return squared_distance(position(m_map.mesh, m_locations[m]), position(m_map.mesh, m_locations[n])); });
     m_result.joined_faces = splitter.joined_faces;
     m_result.split_faces = splitter.split_faces;
 
@@ -267,15 +267,15 @@ private:
       m_graph.for_each_ray_of_node(i,
                                    [&](int r)
                                    {
-        const int v = m_vertex_of_ray[r];
-        if(v == -1)
-          return;
-        const int w = m_vertex_of_ray[m_graph.opposite[r]];
-        if(v < w)
-          neighbors.push_back(std::make_pair(v, w));
-        else if(v == w && r < m_graph.opposite[r])
-          ++m_result.multiple_edges;
-      });
+                                     const int v = m_vertex_of_ray[r];
+                                     if(v == -1)
+                                       return;
+                                     const int w = m_vertex_of_ray[m_graph.opposite[r]];
+                                     if(v < w)
+                                       neighbors.push_back(std::make_pair(v, w));
+                                     else if(v == w && r < m_graph.opposite[r])
+                                       ++m_result.multiple_edges;
+                                   });
       std::sort(neighbors.begin(), neighbors.end());
       m_result.multiple_edges += neighbors.end() - std::unique(neighbors.begin(), neighbors.end());
     }

@@ -107,14 +107,14 @@ private:
       for_each_corner_of_vertex(m_mesh, vertices[i],
                                 [&](int h)
                                 {
-        if(is_inside_cell(h))
-        {
-          if(is_new(m_mesh.target(h)))
-            vertices.push_back(m_mesh.target(h));
-        }
-        else if(cell == -1)
-          cell = cell_left_by(h);
-      });
+                                  if(is_inside_cell(h))
+                                  {
+                                    if(is_new(m_mesh.target(h)))
+                                      vertices.push_back(m_mesh.target(h));
+                                  }
+                                  else if(cell == -1)
+                                    cell = cell_left_by(h);
+                                });
     return cell;
   }
 

@@ -89,9 +89,9 @@ public:
     const bool is_done = run_aside(n, progress, data,
                                    [](Factorization& f)
                                    {
-      if(f.cholesky.compute(f.matrix))
-        f.factor = f.cholesky.factor();
-    });
+                                     if(f.cholesky.compute(f.matrix))
+                                       f.factor = f.cholesky.factor();
+                                   });
     m_work.assign(n, 0.);
     if(!is_done || !data->factor)
       return;

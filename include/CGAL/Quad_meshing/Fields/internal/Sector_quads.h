@@ -85,14 +85,14 @@ public:
       s, 4,
       [&]
       {
-      change_jump(e, by);
-      change_jump(e2, by2);
+        change_jump(e, by);
+        change_jump(e2, by2);
       },
       [&]
       {
-      change_jump(e, -by);
-      change_jump(e2, -by2);
-    });
+        change_jump(e, -by);
+        change_jump(e2, -by2);
+      });
   }
 
   bool has_closed_sector_with_less_than(int k) const

@@ -132,9 +132,8 @@ private:
         continue;
       const int q =
         std::min_element(contacts[p].begin(), contacts[p].end(),
-                         [](const auto& a, const auto& b) {
-        return a.second.mean_bend() < b.second.mean_bend();
-        })->first;
+                         [](const auto& a, const auto& b) { return a.second.mean_bend() < b.second.mean_bend(); })
+          ->first;
       if(partner[q] != -1)
         continue;
       partner[p] = q;

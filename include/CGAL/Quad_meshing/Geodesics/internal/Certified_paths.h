@@ -58,9 +58,9 @@ public:
     std::sort(order.begin(), order.end(),
               [&](int v, int w)
               {
-      const double d = m_propagation.label(v).distance, e = m_propagation.label(w).distance;
-      return d != e ? d < e : v < w;
-    });
+                const double d = m_propagation.label(v).distance, e = m_propagation.label(w).distance;
+                return d != e ? d < e : v < w;
+              });
     for(std::size_t i = 0; i < order.size(); ++i)
     {
       if(i % 1024 == 0 && !go_on(static_cast<double>(i) / static_cast<double>(order.size())))

@@ -296,9 +296,9 @@ private:
     m_front.reach(mesh.source(left), d, w.origin, w.error,
                   [&]
                   {
-      return mesh.direction[left] + std::atan2(as_double(FT(c.left_side.y * bx - c.left_side.x * by)),
-                                               as_double(FT(-c.left_side.x * bx - c.left_side.y * by)));
-    });
+                    return mesh.direction[left] + std::atan2(as_double(FT(c.left_side.y * bx - c.left_side.x * by)),
+                                                             as_double(FT(-c.left_side.x * bx - c.left_side.y * by)));
+                  });
   }
 
   void leave(const Exit& exit)

@@ -109,11 +109,12 @@ private:
         if(is_reached(p) && is_reached(q))
         {
           const auto a = place_in_face(m_mesh, f, m_places[p]), b = place_in_face(m_mesh, f, m_places[q]);
-          d = m_profile.largest_deviation(f, a, b, m_distance[p], m_distance[q],
-                                          [&](double t) {
-            return m_queries.arrival(f, a.first + t * (b.first - a.first), a.second + t * (b.second - a.second))
-              .distance;
-          });
+          d = m_profile.largest_deviation(
+            f, a, b, m_distance[p], m_distance[q],
+            [&](double t) {
+              return m_queries.arrival(f, a.first + t * (b.first - a.first), a.second + t * (b.second - a.second))
+                .distance;
+            });
         }
         m_error[e] = d.second;
         m_split[e] = d.second > tolerance ? split_position(d.first) : 0;

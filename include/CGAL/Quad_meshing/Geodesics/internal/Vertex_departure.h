@@ -75,9 +75,9 @@ public:
         m_front.reach(m_mesh.target(h), sigma + square_root((x - length) * (x - length) + y * y), origin, error,
                       [&]
                       {
-          return m_mesh.direction[Mesh::next(h)] + m_mesh.corner_angle(Mesh::next(h)) -
-                 std::atan2(as_double(y), as_double(FT(length - x)));
-        });
+                        return m_mesh.direction[Mesh::next(h)] + m_mesh.corner_angle(Mesh::next(h)) -
+                               std::atan2(as_double(y), as_double(FT(length - x)));
+                      });
       if(y > FT(0))
         m_cross.arrive(h, W{ FT(0), length, x, y, sigma, origin, false, true, true, error });
       else if(x > FT(0) && x < length && m_mesh.opposite[h] != -1)

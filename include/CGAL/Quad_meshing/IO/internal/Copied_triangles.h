@@ -197,9 +197,9 @@ private:
       for_each_side(first_copy(m_doubles[d]),
                     [&](Soup_index a, Soup_index b)
                     {
-        is_touched[a] = is_touched[b] = 1;
-        sides.push_back({ { (std::min)(a, b), (std::max)(a, b), static_cast<Soup_index>(d) } });
-      });
+                      is_touched[a] = is_touched[b] = 1;
+                      sides.push_back({ { (std::min)(a, b), (std::max)(a, b), static_cast<Soup_index>(d) } });
+                    });
     }
     std::sort(sides.begin(), sides.end());
     for(const auto& side : sides)
@@ -215,10 +215,10 @@ private:
       for_each_side(f,
                     [&](Soup_index a, Soup_index b)
                     {
-        Double_edge* const e = is_touched[a] && is_touched[b] ? find_edge(a, b) : nullptr;
-        if(e != nullptr)
-          e->singles.emplace_back(static_cast<Soup_index>(f), a < b);
-      });
+                      Double_edge* const e = is_touched[a] && is_touched[b] ? find_edge(a, b) : nullptr;
+                      if(e != nullptr)
+                        e->singles.emplace_back(static_cast<Soup_index>(f), a < b);
+                    });
     }
   }
 
@@ -229,10 +229,10 @@ private:
       for_each_side(first_copy(m_doubles[d]),
                     [&](Soup_index a, Soup_index b)
                     {
-        const Double_edge& e = *find_edge(a, b);
-        if(e.singles.empty())
-          regions.join(static_cast<int>(d), static_cast<int>(e.first_double));
-      });
+                      const Double_edge& e = *find_edge(a, b);
+                      if(e.singles.empty())
+                        regions.join(static_cast<int>(d), static_cast<int>(e.first_double));
+                    });
     m_regions.resize(m_doubles.size());
     for(std::size_t d = 0; d < m_doubles.size(); ++d)
     {
@@ -244,13 +244,13 @@ private:
       for_each_side(first_copy(m_doubles[d]),
                     [&](Soup_index a, Soup_index b)
                     {
-        const Double_edge& e = *find_edge(a, b);
-        r.is_missed = r.is_missed || e.singles.size() == 1;
-        r.is_attached = r.is_attached || e.singles.size() > 1;
-        r.is_free = r.is_free || (e.singles.empty() && e.number_of_doubles == 1);
-        if(!e.singles.empty())
-          r.divides = r.divides && is_inside(e, first_copy(m_doubles[d]));
-      });
+                      const Double_edge& e = *find_edge(a, b);
+                      r.is_missed = r.is_missed || e.singles.size() == 1;
+                      r.is_attached = r.is_attached || e.singles.size() > 1;
+                      r.is_free = r.is_free || (e.singles.empty() && e.number_of_doubles == 1);
+                      if(!e.singles.empty())
+                        r.divides = r.divides && is_inside(e, first_copy(m_doubles[d]));
+                    });
     }
   }
 

@@ -120,15 +120,15 @@ private:
     groups.for_each(
       [&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
       {
-      group.clear();
-      for(Soup_index s : sides)
-        if(m_partner[s] == no_index)
-          group.push_back(s);
-      if(group.size() == 2)
-        join_sides(group[0], group[1]);
-      else if(group.size() > 2 || (group.size() == 1 && !m_triangles.place.empty()))
-        left.insert(left.end(), group.begin(), group.end());
-    });
+        group.clear();
+        for(Soup_index s : sides)
+          if(m_partner[s] == no_index)
+            group.push_back(s);
+        if(group.size() == 2)
+          join_sides(group[0], group[1]);
+        else if(group.size() > 2 || (group.size() == 1 && !m_triangles.place.empty()))
+          left.insert(left.end(), group.begin(), group.end());
+      });
     return left;
   }
 
@@ -314,10 +314,10 @@ private:
                             (std::min)(sheets[i].side, sheets[j].side), (std::max)(sheets[i].side, sheets[j].side) });
         }
       }
-      std::sort(pairs.begin(), pairs.end(),
-                [](const Pair& s, const Pair& t) {
-        return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) < std::tie(t.is_mixed, t.turns, t.bend, t.a, t.b);
-      });
+      std::sort(
+        pairs.begin(), pairs.end(),
+        [](const Pair& s, const Pair& t)
+        { return std::tie(s.is_mixed, s.turns, s.bend, s.a, s.b) < std::tie(t.is_mixed, t.turns, t.bend, t.a, t.b); });
       for(const Pair& pair : pairs)
         join_if_orientable(pair.a, pair.b);
     }

@@ -98,10 +98,10 @@ private:
     for_each_side(
       [&](std::size_t c, std::size_t d)
       {
-      const std::uint64_t a = place_of_corner(c), b = place_of_corner(d);
-      if(a != b)
-        sum += a < b ? mixed_bits((a << 32) | b) : ~mixed_bits((b << 32) | a) + 1;
-    });
+        const std::uint64_t a = place_of_corner(c), b = place_of_corner(d);
+        if(a != b)
+          sum += a < b ? mixed_bits((a << 32) | b) : ~mixed_bits((b << 32) | a) + 1;
+      });
     return sum == 0;
   }
 
@@ -114,10 +114,10 @@ private:
     for_each_side(
       [&](std::size_t c, std::size_t d)
       {
-      const Soup_index a = place_of_corner(c), b = place_of_corner(d);
-      if(a != b && soup_distance(m_soup.points[a], m_soup.points[b]) <= vanishing)
-        short_sides.push_back({ { a, b } });
-    });
+        const Soup_index a = place_of_corner(c), b = place_of_corner(d);
+        if(a != b && soup_distance(m_soup.points[a], m_soup.points[b]) <= vanishing)
+          short_sides.push_back({ { a, b } });
+      });
     for(const auto& side : short_sides)
       join(side[0], side[1]);
     if(!short_sides.empty())
@@ -160,19 +160,19 @@ private:
     groups.for_each(
       [&](Soup_index low, Soup_index high, const std::vector<Soup_index>& sides)
       {
-      if(sides.size() == 1)
-        is_candidate[low] = is_candidate[high] = 1;
-    });
+        if(sides.size() == 1)
+          is_candidate[low] = is_candidate[high] = 1;
+      });
     std::vector<double> shortest(m_place.size(), (std::numeric_limits<double>::max)());
     groups.for_each(
       [&](Soup_index low, Soup_index high, const std::vector<Soup_index>&)
       {
-      if(!is_candidate[low] && !is_candidate[high])
-        return;
-      const double l = soup_distance(m_soup.points[low], m_soup.points[high]);
-      shortest[low] = (std::min)(shortest[low], l);
-      shortest[high] = (std::min)(shortest[high], l);
-    });
+        if(!is_candidate[low] && !is_candidate[high])
+          return;
+        const double l = soup_distance(m_soup.points[low], m_soup.points[high]);
+        shortest[low] = (std::min)(shortest[low], l);
+        shortest[high] = (std::min)(shortest[high], l);
+      });
     for(std::size_t v = 0; v < m_place.size(); ++v)
       if(is_candidate[v])
         result.push_back({ static_cast<Soup_index>(v), (std::min)(largest_distance, share_of_side * shortest[v]) });
@@ -200,11 +200,12 @@ private:
     box_self_intersection_d(boxes.begin(), boxes.end(),
                             [&](const Box& s, const Box& t)
                             {
-      const std::size_t a = (std::min)(s.info(), t.info()), b = (std::max)(s.info(), t.info());
-      const double d = soup_distance(m_soup.points[vertices[a].vertex], m_soup.points[vertices[b].vertex]);
-      if(d <= (std::min)(vertices[a].tolerance, vertices[b].tolerance))
-        pairs.push_back({ d, a, b });
-    });
+                              const std::size_t a = (std::min)(s.info(), t.info()), b = (std::max)(s.info(), t.info());
+                              const double d =
+                                soup_distance(m_soup.points[vertices[a].vertex], m_soup.points[vertices[b].vertex]);
+                              if(d <= (std::min)(vertices[a].tolerance, vertices[b].tolerance))
+                                pairs.push_back({ d, a, b });
+                            });
     if(pairs.empty())
       return;
 

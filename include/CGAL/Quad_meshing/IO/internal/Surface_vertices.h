@@ -100,24 +100,24 @@ public:
     groups.for_each(
       [&](Soup_index low, Soup_index high, const std::vector<Soup_index>& sides)
       {
-      bool is_first = true;
-      for(Soup_index s : sides)
-      {
-        const Soup_index t = m_partner[s];
-        if(t != no_index && t < s)
-          continue;
-        if(!is_first)
+        bool is_first = true;
+        for(Soup_index s : sides)
         {
-          is_any = true;
-          midpoint[s] = static_cast<Soup_index>(m_triangles.points.size());
-          if(t != no_index)
-            midpoint[t] = midpoint[s];
-          const Polygon_soup::Point p = m_triangles.points[low], q = m_triangles.points[high];
-          m_triangles.points.push_back({ { 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) } });
+          const Soup_index t = m_partner[s];
+          if(t != no_index && t < s)
+            continue;
+          if(!is_first)
+          {
+            is_any = true;
+            midpoint[s] = static_cast<Soup_index>(m_triangles.points.size());
+            if(t != no_index)
+              midpoint[t] = midpoint[s];
+            const Polygon_soup::Point p = m_triangles.points[low], q = m_triangles.points[high];
+            m_triangles.points.push_back({ { 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) } });
+          }
+          is_first = false;
         }
-        is_first = false;
-      }
-    });
+      });
     if(!is_any)
       return;
     const std::size_t nf = m_triangles.size();
@@ -128,12 +128,12 @@ public:
     group_sides().for_each(
       [&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
       {
-      if(sides.size() == 2)
-      {
-        m_partner[sides[0]] = sides[1];
-        m_partner[sides[1]] = sides[0];
-      }
-    });
+        if(sides.size() == 2)
+        {
+          m_partner[sides[0]] = sides[1];
+          m_partner[sides[1]] = sides[0];
+        }
+      });
   }
 
 private:

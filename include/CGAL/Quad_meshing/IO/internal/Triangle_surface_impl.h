@@ -262,10 +262,10 @@ private:
     m_groups->for_each(
       [&](Soup_index, Soup_index, const std::vector<Soup_index>& sides)
       {
-      result = result || sides.size() > 2 ||
-               (sides.size() == 2 && m_triangles.source(Soup_triangles::previous(sides[0])) ==
-                                       m_triangles.source(Soup_triangles::previous(sides[1])));
-    });
+        result = result || sides.size() > 2 ||
+                 (sides.size() == 2 && m_triangles.source(Soup_triangles::previous(sides[0])) ==
+                                         m_triangles.source(Soup_triangles::previous(sides[1])));
+      });
     return result;
   }
 

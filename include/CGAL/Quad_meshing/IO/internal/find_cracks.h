@@ -91,11 +91,11 @@ inline Cracks find_cracks(const Triangle_surface& surface, double diagonal)
     box_self_intersection_d(boxes.begin(), boxes.end(),
                             [&](const Box& a, const Box& b)
                             {
-      if(++number_of_pairs > most_pairs)
-        throw Too_many();
-      compare(a.info(), b.info());
-      compare(b.info(), a.info());
-    });
+                              if(++number_of_pairs > most_pairs)
+                                throw Too_many();
+                              compare(a.info(), b.info());
+                              compare(b.info(), a.info());
+                            });
   }
   catch(const Too_many&)
   {

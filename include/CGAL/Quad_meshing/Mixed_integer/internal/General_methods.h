@@ -151,15 +151,15 @@ private:
     const Search_result result = run_in_boxes(
       [&](const Rational& box)
       {
-      const Linear_master master(m_bounded, active_c, m_reduced.constant, box);
-      Exact_dual_simplex relaxation = master.make_program();
-      if(relaxation.solve(m_go_further) && !relaxation.rests_on_artificial_bounds())
-        m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
-      if(m_options.method == Rounding_method::CUTTING_PLANES)
-        return cutting_planes(master, m_options, m_go_further);
-      const int rounds = m_options.method == Rounding_method::BRANCH_AND_BOUND ? 0 : cut_rounds;
-      return Branch_and_cut(master, m_options, rounds, m_go_further).run(Eigen::VectorXd(), 0.);
-    });
+        const Linear_master master(m_bounded, active_c, m_reduced.constant, box);
+        Exact_dual_simplex relaxation = master.make_program();
+        if(relaxation.solve(m_go_further) && !relaxation.rests_on_artificial_bounds())
+          m_solution.relaxed_energy = m_reduced.constant + CGAL::to_double(relaxation.objective());
+        if(m_options.method == Rounding_method::CUTTING_PLANES)
+          return cutting_planes(master, m_options, m_go_further);
+        const int rounds = m_options.method == Rounding_method::BRANCH_AND_BOUND ? 0 : cut_rounds;
+        return Branch_and_cut(master, m_options, rounds, m_go_further).run(Eigen::VectorXd(), 0.);
+      });
     Outcome outcome = outcome_of(result);
     if(outcome.is_found)
     {
@@ -177,11 +177,11 @@ private:
     const Search_result result = run_in_boxes(
       [&](const Rational& box)
       {
-      const Linear_master master(m_bounded, nothing, 0., box);
-      Search_result found = Branch_and_cut(master, m_options, cut_rounds, m_go_further).run(Eigen::VectorXd(), 0.);
-      found.rests_on_box = found.rests_on_box && !found.is_found;
-      return found;
-    });
+        const Linear_master master(m_bounded, nothing, 0., box);
+        Search_result found = Branch_and_cut(master, m_options, cut_rounds, m_go_further).run(Eigen::VectorXd(), 0.);
+        found.rests_on_box = found.rests_on_box && !found.is_found;
+        return found;
+      });
     if(result.is_found)
       return failure(Mixed_integer_status::UNBOUNDED, "The energy is unbounded below.");
     return outcome_of(result);
@@ -303,11 +303,11 @@ private:
     return run_in_boxes(
       [&](const Rational& box)
       {
-      const Linear_master master(m_bounded, quadratic, radius, relaxed, box);
-      if(m_options.method == Rounding_method::OUTER_APPROXIMATION)
-        return outer_approximation(master, m_options, incumbent, incumbent_energy, m_go_further);
-      return Branch_and_cut(master, m_options, cut_rounds, m_go_further).run(incumbent, incumbent_energy);
-    });
+        const Linear_master master(m_bounded, quadratic, radius, relaxed, box);
+        if(m_options.method == Rounding_method::OUTER_APPROXIMATION)
+          return outer_approximation(master, m_options, incumbent, incumbent_energy, m_go_further);
+        return Branch_and_cut(master, m_options, cut_rounds, m_go_further).run(incumbent, incumbent_energy);
+      });
   }
 
   Outcome outcome_of(const Search_result& result)

@@ -157,9 +157,9 @@ inline bool sparse_greedy_rounding(const Sparse_cholesky<double>& linear_solver,
     solver.visit_changes(
       [&](int i)
       {
-      if(!solver.is_fixed(i))
-        push(i);
-    });
+        if(!solver.is_fixed(i))
+          push(i);
+      });
     limits.set_completed(double(rounded) / m);
     if(!limits.go_further())
       break;

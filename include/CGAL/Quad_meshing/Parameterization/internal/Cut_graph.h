@@ -197,11 +197,11 @@ private:
         for_each_corner_of_vertex(m_mesh, v,
                                   [&](int h)
                                   {
-          relax(h, m_mesh.target(h));
-          const int p = Indexed_triangle_mesh::prev(h);
-          if(m_mesh.opposite[p] == -1)
-            relax(p, m_mesh.source(p));
-        });
+                                    relax(h, m_mesh.target(h));
+                                    const int p = Indexed_triangle_mesh::prev(h);
+                                    if(m_mesh.opposite[p] == -1)
+                                      relax(p, m_mesh.source(p));
+                                  });
       }
     }
   }

@@ -301,13 +301,13 @@ private:
         for_each_corner_of_vertex(m_mesh, v,
                                   [&](int h)
                                   {
-          for(int w : { m_mesh.target(h), m_mesh.source(Indexed_triangle_mesh::prev(h)) })
-            if(!inside[w])
-            {
-              inside[w] = true;
-              next.push_back(w);
-            }
-        });
+                                    for(int w : { m_mesh.target(h), m_mesh.source(Indexed_triangle_mesh::prev(h)) })
+                                      if(!inside[w])
+                                      {
+                                        inside[w] = true;
+                                        next.push_back(w);
+                                      }
+                                  });
       }
       front.swap(next);
     }
@@ -330,12 +330,12 @@ private:
       for_each_term(f,
                     [&](int v, int i)
                     {
-        if(inside[v] && !is_fixed[i] && m_number[i] == -1)
-        {
-          m_number[i] = static_cast<int>(m_variables.size());
-          m_variables.push_back(i);
-        }
-      });
+                      if(inside[v] && !is_fixed[i] && m_number[i] == -1)
+                      {
+                        m_number[i] = static_cast<int>(m_variables.size());
+                        m_variables.push_back(i);
+                      }
+                    });
     m_active.clear();
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
@@ -352,9 +352,10 @@ private:
     parallel_for(m_active.size(), number_of_threads,
                  [&](std::size_t i)
                  {
-      const int f = m_active[i];
-      of_face[i] = m_weight[f] * m_distortion.value(m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x)));
-    });
+                   const int f = m_active[i];
+                   of_face[i] =
+                     m_weight[f] * m_distortion.value(m_faces.jacobian(f, corner_coordinates(m_coordinates, f, x)));
+                 });
     return std::accumulate(of_face.begin(), of_face.end(), 0.);
   }
 
@@ -382,9 +383,10 @@ private:
     parallel_for(m_active.size(), number_of_threads,
                  [&](std::size_t i)
                  {
-      const Eigen::Matrix2d J = m_faces.jacobian(m_active[i], corner_coordinates(m_coordinates, m_active[i], x));
-      m_distortion.derivatives(J, derivatives[i].g, derivatives[i].H);
-    });
+                   const Eigen::Matrix2d J =
+                     m_faces.jacobian(m_active[i], corner_coordinates(m_coordinates, m_active[i], x));
+                   m_distortion.derivatives(J, derivatives[i].g, derivatives[i].H);
+                 });
     for(std::size_t a = 0; a < m_active.size(); ++a)
     {
       const int f = m_active[a];

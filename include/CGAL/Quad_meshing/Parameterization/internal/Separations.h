@@ -211,9 +211,9 @@ private:
     for_each_corner_of_vertex(m_mesh, v,
                               [&](int h)
                               {
-      m_reached_from[h / 3] = v;
-      front.push(frame_at(h));
-    });
+                                m_reached_from[h / 3] = v;
+                                front.push(frame_at(h));
+                              });
 
     while(!front.empty())
     {

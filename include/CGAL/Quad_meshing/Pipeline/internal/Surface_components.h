@@ -86,9 +86,9 @@ private:
     std::sort(order.begin(), order.end(),
               [&](int s, int t)
               {
-      const std::pair<int, int> a = ends(s), b = ends(t);
-      return a != b ? a < b : s < t;
-    });
+                const std::pair<int, int> a = ends(s), b = ends(t);
+                return a != b ? a < b : s < t;
+              });
     m_opposite.assign(ns, -1);
     for(int i = 0; i < ns;)
     {
@@ -156,12 +156,12 @@ private:
     std::sort(keys.begin(), keys.end(),
               [&](const auto& a, const auto& b)
               {
-      if(a.first != b.first)
-        return a.first < b.first;
-      if(point(a.second) != point(b.second))
-        return point(a.second) < point(b.second);
-      return a.second < b.second;
-    });
+                if(a.first != b.first)
+                  return a.first < b.first;
+                if(point(a.second) != point(b.second))
+                  return point(a.second) < point(b.second);
+                return a.second < b.second;
+              });
     std::vector<int> number(ns);
     for(const auto& k : keys)
     {
@@ -196,10 +196,10 @@ private:
     std::sort(roots.begin(), roots.end(),
               [&](int a, int b)
               {
-      const auto& p = point(smallest[a]);
-      const auto& q = point(smallest[b]);
-      return p != q ? p < q : a < b;
-    });
+                const auto& p = point(smallest[a]);
+                const auto& q = point(smallest[b]);
+                return p != q ? p < q : a < b;
+              });
     m_number_of_components = static_cast<int>(roots.size());
     std::vector<int> component_of_root(number_of_faces(), -1);
     for(int c = 0; c < m_number_of_components; ++c)

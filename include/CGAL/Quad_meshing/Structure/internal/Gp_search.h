@@ -362,13 +362,13 @@ private:
       for_each_successor(state,
                          [&](int next)
                          {
-        if(is_open(next) && reached[next] != round)
-        {
-          reached[next] = round;
-          origin[next] = state;
-          front.push_back(next);
-        }
-      });
+                           if(is_open(next) && reached[next] != round)
+                           {
+                             reached[next] = round;
+                             origin[next] = state;
+                             front.push_back(next);
+                           }
+                         });
     }
     return false;
   }
@@ -394,16 +394,16 @@ private:
       for_each_successor(state,
                          [&](int next)
                          {
-        if(!is_open(next))
-          return;
-        const double d = item.first + cost(next);
-        if(d < distance[next])
-        {
-          distance[next] = d;
-          origin[next] = state;
-          queue.push(Item(d, next));
-        }
-      });
+                           if(!is_open(next))
+                             return;
+                           const double d = item.first + cost(next);
+                           if(d < distance[next])
+                           {
+                             distance[next] = d;
+                             origin[next] = state;
+                             queue.push(Item(d, next));
+                           }
+                         });
     }
     return false;
   }

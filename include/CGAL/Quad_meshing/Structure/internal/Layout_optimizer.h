@@ -85,8 +85,8 @@ public:
       quads, m_target_patches,
       [&]
       {
-      if(++scales % scales_between == 0)
-        m_layouts.push_back(m_quantization->length);
+        if(++scales % scales_between == 0)
+          m_layouts.push_back(m_quantization->length);
       },
       [&] { return visitor.go_further(); });
     m_layouts.push_back(m_quantization->length);
@@ -122,7 +122,7 @@ private:
     {
       visitor.progress((std::min)(1., double(++m_attempts) / m_search->number_of_rounds() / attempts));
       return visitor.go_further();
-      };
+    };
   }
 
   bool realize(const Layout_quantization& quantization, const std::vector<int>& layout, Structure_state& result,
