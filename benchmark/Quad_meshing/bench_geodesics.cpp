@@ -8,8 +8,9 @@
 
 // Geodesic distances: time, windows and memory, exact and approximate, against CGAL's Surface_mesh_shortest_path.
 //
-//   bench_geodesics [--without-reference] [--repeat N] [--subdivide LEVELS] MESH...        default: meshes of CGAL's
-//   data folder
+//   bench_geodesics [--without-reference] [--repeat N] [--subdivide LEVELS] MESH...
+//
+// Without meshes, those of CGAL's data folder are measured.
 //
 // Each mesh is measured from one vertex and from its sharp edges (dihedral angle above 40 degrees), and so is the mesh
 // after each of LEVELS one-to-four subdivisions. Times are processor times, and contain what the system does for the

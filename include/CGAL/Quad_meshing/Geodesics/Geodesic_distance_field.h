@@ -133,15 +133,22 @@ public:
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+   *       `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+   *                    as key type and `%Point_3` as value type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{vertex_index_map}
    *     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0` and
-   * `num_vertices(tm) - 1`} \cgalParamType{a class model of `ReadablePropertyMap`} \cgalParamDefault{an automatically
-   * indexed internal map} \cgalParamNEnd \cgalParamNBegin{face_index_map} \cgalParamDescription{a property map
-   * associating to each face of `tm` a unique index between `0` and `num_faces(tm) - 1`} \cgalParamType{a class model
-   * of `ReadablePropertyMap`} \cgalParamDefault{an automatically indexed internal map} \cgalParamNEnd
+   *       `num_vertices(tm) - 1`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap`}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{face_index_map}
+   *     \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0` and
+   *       `num_faces(tm) - 1`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap`}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
@@ -258,12 +265,15 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{keep_windows}
    *     \cgalParamDescription{if `false`, windows are dropped when the front has passed them. Then only distances at
-   * vertices can be asked for, and the memory needed is that of the front.} \cgalParamType{`bool`}
+   *       vertices can be asked for,
+   *                           and the memory needed is that of the front.}
+   *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{learns of the progress, by the part of vertices that are reached, and may stop the
-   * computation} \cgalParamType{a type with the members of `Default_visitor`, by `std::ref`}
+   *       computation}
+   *     \cgalParamType{a type with the members of `Default_visitor`, by `std::ref`}
    *     \cgalParamDefault{`Default_visitor`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd

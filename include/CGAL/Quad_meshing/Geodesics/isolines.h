@@ -148,13 +148,17 @@ private:
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *       `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_index_map}
  *     \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0` and
- * `num_faces(tm) - 1`} \cgalParamType{a class model of `ReadablePropertyMap`} \cgalParamDefault{an automatically
- * indexed internal map} \cgalParamNEnd \cgalNamedParamsEnd
+ *       `num_faces(tm) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \pre `tm` is a triangle mesh
  */

@@ -67,7 +67,9 @@ struct Distance_refinement_result
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{the refinement ends after the round in which this number is reached, whether the tolerance
- * is met or not} \cgalParamType{`std::size_t`} \cgalParamDefault{256 times the number of faces of the input}
+ *       is met or not}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{256 times the number of faces of the input}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *

@@ -106,7 +106,9 @@ exception is thrown and nothing is printed.
   \cgalParamNEnd
   \cgalParamNBegin{allow_refactorization}
     \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels do
-not suffice, and after a tenth of all roundings. Without, it goes on with what these steps have reached.}
+      not
+                          suffice, and after a tenth of all roundings. Without, it goes on with what these steps have
+                          reached.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -125,13 +127,17 @@ not suffice, and after a tenth of all roundings. Without, it goes on with what t
   \cgalParamNBegin{number_of_bound_rounds}
     \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE`
                           where the enumeration has not proven the optimum. A round adds as many inequalities as there
-are integers; six take some seconds with 100 integers, and each step takes time cubic in them.} \cgalParamType{`int`}
+                          are
+                          integers; six take some seconds with 100 integers, and each step takes time cubic in them.}
+    \cgalParamType{`int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the number of seconds, by the clock on the wall, after which the best solution so far is
                           returned; `message` then says so. The first factorization and one rounding of all integers are
-made in any case. Results that meet this limit depend on the machine.} \cgalParamType{`double`}
+                          made in
+                          any case. Results that meet this limit depend on the machine.}
+    \cgalParamType{`double`}
     \cgalParamDefault{unlimited}
   \cgalParamNEnd
   \cgalParamNBegin{relative_gap_tolerance}

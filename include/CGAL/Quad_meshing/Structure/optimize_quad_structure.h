@@ -122,8 +122,11 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map that tells the feature edges of `qm`, and after the call those of the
- * result} \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<QuadMesh>::%edge_descriptor`
- * as key type and `bool` as value type} \cgalParamDefault{no edge is constrained} \cgalParamNEnd
+ *       result}
+ *     \cgalParamType{a class model of `ReadWritePropertyMap` with
+ *                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{no edge is constrained}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_is_constrained_map}
  *     \cgalParamDescription{a property map that tells the vertices of `qm` that must neither move nor be merged}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -142,32 +145,57 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  *   \cgalParamNEnd
  *   \cgalParamNBegin{collapse_dual_curves}
  *     \cgalParamDescription{whether, at the end, all dual curves are collapsed that can be, the shortest first. The
- * result is very coarse: as a base mesh, or until a target is reached.} \cgalParamType{bool} \cgalParamDefault{`false`}
+ *       result
+ *                           is very coarse: as a base mesh, or until a target is reached.}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_number_of_quads}
  *     \cgalParamDescription{the result has no more quads than this, if that is possible. The dual curves of a layout
- * are multiplied up to this number, which is at most that of the input; with 1 they are not multiplied at all, and the
- * layout itself is the result. The removal of helices, and the collapse of dual curves, end when there are no more
- * quads than this.} \cgalParamType{std::size_t} \cgalParamDefault{`0`: no target. A layout gets as many quads as the
- * input has.} \cgalParamNEnd \cgalParamNBegin{target_number_of_patches} \cgalParamDescription{the optimization ends
- * when the base complex has no more patches than this. A layout is made as coarse as that and no coarser, if possible.}
+ *       are
+ *                           multiplied up to this number, which is at most that of the input; with 1 they are not
+ *                           multiplied at
+ *                           all, and the layout itself is the result. The removal of helices, and the collapse of dual
+ *                           curves,
+ *                           end when there are no more quads than this.}
+ *     \cgalParamType{std::size_t}
+ *     \cgalParamDefault{`0`: no target. A layout gets as many quads as the input has.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{target_number_of_patches}
+ *     \cgalParamDescription{the optimization ends when the base complex has no more patches than this. A layout is made
+ *       as
+ *                           coarse as that and no coarser, if possible.}
  *     \cgalParamType{std::size_t}
  *     \cgalParamDefault{`0`: no target. A layout gets at most 20 quads for each irregular vertex, and a quarter of the
- * quads of the input, before its dual curves are multiplied.} \cgalParamNEnd \cgalParamNBegin{number_of_iterations}
+ *       quads
+ *                       of the input, before its dual curves are multiplied.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{the number of layouts that are tried at random in one round. There are up to four rounds,
- * as long as the goals of the manual are not reached. More of them take more time and find better layouts.}
+ *       as long as
+ *                           the goals of the manual are not reached. More of them take more time and find better
+ *                           layouts.}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{`10000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{smoothing_iterations}
  *     \cgalParamDescription{number of sweeps of the smoothing at the end, or of its steps that move all vertices of a
- * new layout at once; with 0, nothing is smoothed at all} \cgalParamType{unsigned int} \cgalParamDefault{`20`}
+ *       new layout
+ *                           at once; with 0, nothing is smoothed at all}
+ *     \cgalParamType{unsigned int}
+ *     \cgalParamDefault{`20`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the search ends after this time, in seconds, with the best mesh that has been found until
- * then; it is not smoothed once more at the end. The result says so.} \cgalParamType{double} \cgalParamDefault{no
- * limit} \cgalParamNEnd \cgalParamNBegin{visitor} \cgalParamDescription{a visitor with the interface of
- * `Default_visitor`, passed as `std::ref(visitor)`} \cgalParamDefault{`Default_visitor`} \cgalParamNEnd
+ *       then; it is
+ *                           not smoothed once more at the end. The result says so.}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor with the interface of `Default_visitor`, passed as `std::ref(visitor)`}
+ *     \cgalParamDefault{`Default_visitor`}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np_tm an optional sequence of named parameters for `tm`: `vertex_point_map`, and
