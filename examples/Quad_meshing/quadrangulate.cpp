@@ -112,6 +112,7 @@ int main(int argc, char* argv[])
         "representation, greedy or polished: how the singularities of the cross field are found")(
         "curvature-alignment", po::value<double>()->default_value(1),
         "0 to 1: how much quads follow the directions in which the surface bends least")(
+        "work-on-input", "make field and map on the input's own triangles instead of a working mesh")(
         "rounding", po::value<std::string>()->default_value("greedy"),
         "direct, greedy or lattice: how integers are found")(
         "optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")(
@@ -158,6 +159,7 @@ int main(int argc, char* argv[])
       q.options.align_boundary = align_boundary;
       q.options.curvature_alignment = args.number("curvature-alignment", 0, 1);
       q.options.cross_field_method = field;
+      q.options.work_on_input = args.has("work-on-input");
       q.options.rounding_method = rounding;
       q.options.optimize_structure = args.has("optimize-structure");
       q.options.number_of_threads = args.number_of_threads();

@@ -57,6 +57,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
+#include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
@@ -78,6 +79,8 @@
 #include <CGAL/Quad_meshing/Structure/Quad_structure_optimization_result.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/Working_mesh/Working_mesh_result.h>
+#include <CGAL/Quad_meshing/Working_mesh/make_working_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 

@@ -16,6 +16,8 @@
 // names below and carries a link type of its own; from there on CGAL's names and ours can follow
 // in any order: `parameters::target_edge_length(0.1).vertex_point_map(vpm).align_boundary(true)`.
 
+// clang-format off
+
 // What they mean. The functions document which of them they take and may have other defaults.
 //
 // Size and alignment of the quads
@@ -27,11 +29,12 @@
 //   face_direction_map              property map  face -> optional vector that the cross field follows; none
 //   face_direction_weight_map       property map  face -> weight of that vector, infinite: hard; all hard
 //   curvature_alignment             double        how much quads follow the directions of least curvature, 0 to 1; 1
+//   work_on_input                   bool          whether field and map are made on the triangles of the input instead
+//                                                 of a working mesh; false
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
 //   sizing_gradation                double        largest slope of the target edge length; 0.3
 //   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1,
-//   from
-//                                                 which on a disk counts as parabolic; 0.8
+//                                                 from which on a disk counts as parabolic; 0.8
 //
 // Cross fields and integer-grid maps
 //   cross_field_method              Cross_field_method  how period jumps are found; POLISHED
@@ -40,22 +43,23 @@
 //                                                 distorted, as long as there are folded ones; 5
 //   number_of_threads               unsigned int  how many threads may work at the same time, results do not depend on
 //                                                 it; 1
+//   input_face_map                  property map  receives working vertex -> a face of the input near it; none
 //   face_location_map               property map  receives quad vertex -> its place on the input mesh; none
 //
 // Mixed-integer problems
 //   rounding_method                 Rounding_method  how integer conditions are met; GREEDY, BRANCH_AND_BOUND
 //                                                 where there are inequalities
 //   elimination_order               Elimination_order  which equality constraint is eliminated next;
-//   FEWEST_COEFFICIENTS constraint_tolerance            double        relative size of what counts as zero when
-//   constraints depend on each
+//                                                 FEWEST_COEFFICIENTS
+//   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
 //                                                 other; 1e-6
 //   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
 //                                                 variables; 3e-4
 //   gauss_seidel_iterations         int           local steps per rounding, 0 switches the level off; 20000
 //   conjugate_gradient_iterations   int           steps per rounding, 0 switches the level off; 10
-//   allow_refactorization           bool          whether greedy rounding may factorize anew between its roundings;
-//   true simultaneous_rounding           bool          whether greedy rounding takes several integers at once while
-//   their
+//   allow_refactorization           bool          whether greedy rounding may factorize anew between its
+//                                                 roundings; true
+//   simultaneous_rounding           bool          whether greedy rounding takes several integers at once while their
 //                                                 deviations sum up to less than one half; true
 //   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
 //   number_of_bound_rounds          int           rounds of the relaxation that raises a lower bound; 0
@@ -82,74 +86,58 @@
 //   target_number_of_patches        std::size_t   the optimization ends when there are no more patches; 0: no target
 //   smoothing_iterations            unsigned int  steps or sweeps of the smoothing in the end, 0 smooths nothing; 20
 //   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they
-//   have
-//                                                 to go far; false
+//                                                 have to go far; false
 //   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step
 
 #include <CGAL/Named_function_parameters.h>
 
-#define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                                             \
-  CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length) CGAL_add_named_parameter(     \
-    target_number_of_quads_t, target_number_of_quads,                                                                  \
-    target_number_of_quads) CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)     \
-    CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads) CGAL_add_named_parameter(      \
-      align_boundary_t, align_boundary, align_boundary) CGAL_add_named_parameter(rounding_method_t, rounding_method,   \
-                                                                                 rounding_method)                      \
-      CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order) CGAL_add_named_parameter(    \
-        constraint_tolerance_t, constraint_tolerance,                                                                  \
-        constraint_tolerance) CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)   \
-        CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)          \
-          CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations,                     \
-                                   conjugate_gradient_iterations) CGAL_add_named_parameter(allow_refactorization_t,    \
-                                                                                           allow_refactorization,      \
-                                                                                           allow_refactorization)      \
-            CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding,                                   \
-                                     simultaneous_rounding) CGAL_add_named_parameter(maximum_dense_integers_t,         \
-                                                                                     maximum_dense_integers,           \
-                                                                                     maximum_dense_integers)           \
-              CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds,                               \
-                                       number_of_bound_rounds) CGAL_add_named_parameter(maximum_number_of_nodes_t,     \
-                                                                                        maximum_number_of_nodes,       \
-                                                                                        maximum_number_of_nodes)       \
-                CGAL_add_named_parameter(relative_gap_tolerance_t, relative_gap_tolerance,                             \
-                                         relative_gap_tolerance) CGAL_add_named_parameter(subproblem_selection_t,      \
-                                                                                          subproblem_selection,        \
-                                                                                          subproblem_selection)        \
-                  CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule) CGAL_add_named_parameter( \
-                    cross_field_method_t, cross_field_method, cross_field_method)                                      \
-                    CGAL_add_named_parameter(repair_t, repair, repair) CGAL_add_named_parameter(                       \
-                      distance_limit_t, distance_limit,                                                                \
-                      distance_limit) CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)    \
-                      CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error,                     \
-                                               relative_distance_error)                                                \
-                        CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows) CGAL_add_named_parameter( \
-                          face_direction_map_t, face_direction_map,                                                    \
-                          face_direction_map) CGAL_add_named_parameter(face_direction_weight_map_t,                    \
-                                                                       face_direction_weight_map,                      \
-                                                                       face_direction_weight_map)                      \
-                          CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)    \
-                            CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)     \
-                              CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)         \
-                                CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)          \
-                                  CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)  \
-                                    CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations,           \
-                                                             stiffening_iterations)                                    \
-                                      CGAL_add_named_parameter(structure_method_t, structure_method, structure_method) \
-                                        CGAL_add_named_parameter(merge_singularities_t, merge_singularities,           \
-                                                                 merge_singularities)                                  \
-                                          CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves,       \
-                                                                   collapse_dual_curves)                               \
-                                            CGAL_add_named_parameter(target_number_of_patches_t,                       \
-                                                                     target_number_of_patches,                         \
-                                                                     target_number_of_patches)                         \
-                                              CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations,   \
-                                                                       smoothing_iterations)                           \
-                                                CGAL_add_named_parameter(smooth_globally_t, smooth_globally,           \
-                                                                         smooth_globally)                              \
-                                                  CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost,   \
-                                                                           operator_step_cost)                         \
-                                                    CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight,   \
-                                                                             anisotropy_weight)
+#define CGAL_QUAD_MESHING_NAMED_PARAMETERS                                                          \
+  CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
+  CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
+  CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)            \
+  CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
+  CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
+  CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
+  CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order)               \
+  CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \
+  CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)            \
+  CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)\
+  CGAL_add_named_parameter(conjugate_gradient_iterations_t, conjugate_gradient_iterations,          \
+                           conjugate_gradient_iterations)                                           \
+  CGAL_add_named_parameter(allow_refactorization_t, allow_refactorization, allow_refactorization)   \
+  CGAL_add_named_parameter(simultaneous_rounding_t, simultaneous_rounding, simultaneous_rounding)   \
+  CGAL_add_named_parameter(maximum_dense_integers_t, maximum_dense_integers, maximum_dense_integers)\
+  CGAL_add_named_parameter(number_of_bound_rounds_t, number_of_bound_rounds, number_of_bound_rounds)\
+  CGAL_add_named_parameter(maximum_number_of_nodes_t, maximum_number_of_nodes, maximum_number_of_nodes)\
+  CGAL_add_named_parameter(relative_gap_tolerance_t, relative_gap_tolerance, relative_gap_tolerance)\
+  CGAL_add_named_parameter(subproblem_selection_t, subproblem_selection, subproblem_selection)      \
+  CGAL_add_named_parameter(branching_rule_t, branching_rule, branching_rule)                        \
+  CGAL_add_named_parameter(cross_field_method_t, cross_field_method, cross_field_method)            \
+  CGAL_add_named_parameter(repair_t, repair, repair)                                                \
+  CGAL_add_named_parameter(distance_limit_t, distance_limit, distance_limit)                        \
+  CGAL_add_named_parameter(target_vertices_t, target_vertices, target_vertices)                     \
+  CGAL_add_named_parameter(relative_distance_error_t, relative_distance_error, relative_distance_error)\
+  CGAL_add_named_parameter(keep_windows_t, keep_windows, keep_windows)                              \
+  CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
+  CGAL_add_named_parameter(face_direction_weight_map_t, face_direction_weight_map, face_direction_weight_map)\
+  CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)         \
+  CGAL_add_named_parameter(work_on_input_t, work_on_input, work_on_input)                           \
+  CGAL_add_named_parameter(input_face_map_t, input_face_map, input_face_map)                        \
+  CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
+  CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
+  CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
+  CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
+  CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \
+  CGAL_add_named_parameter(structure_method_t, structure_method, structure_method)                  \
+  CGAL_add_named_parameter(merge_singularities_t, merge_singularities, merge_singularities)         \
+  CGAL_add_named_parameter(collapse_dual_curves_t, collapse_dual_curves, collapse_dual_curves)      \
+  CGAL_add_named_parameter(target_number_of_patches_t, target_number_of_patches, target_number_of_patches) \
+  CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations, smoothing_iterations)      \
+  CGAL_add_named_parameter(smooth_globally_t, smooth_globally, smooth_globally)                     \
+  CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost, operator_step_cost)            \
+  CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
+
+// clang-format on
 
 namespace CGAL {
 namespace internal_np {

@@ -67,10 +67,16 @@ The result depends on nothing but the surface and the parameters: not on the num
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length of a quad edge in the unit of the points; takes precedence over the number of
-quads} \cgalParamType{`double`} \cgalParamDefault{the square root of the area over the number of quads} \cgalParamNEnd
+      quads}
+    \cgalParamType{`double`}
+    \cgalParamDefault{the square root of the area over the number of quads}
+  \cgalParamNEnd
   \cgalParamNBegin{sharpness_angle}
     \cgalParamDescription{the angle between normals, in degrees, from which on an edge is sharp; see
-`detect_feature_edges()` for the sharp edges that are taken for noise} \cgalParamType{`double`} \cgalParamDefault{40}
+      `detect_feature_edges()` for the sharp
+                          edges that are taken for noise}
+    \cgalParamType{`double`}
+    \cgalParamDefault{40}
     \cgalParamExtra{180 and more: there are no features}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
@@ -86,21 +92,35 @@ quads} \cgalParamType{`double`} \cgalParamDefault{the square root of the area ov
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{directions that the quad edges should have}
     \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `std::optional<Vector_3>`, or an
-optional vector of another library, as value type} \cgalParamDefault{no direction is given} \cgalParamNEnd
+      optional vector of another library, as value type}
+    \cgalParamDefault{no direction is given}
+  \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how much the quads follow the directions in which the surface bends least, where these are
-reliable
+      reliable
                           (`curvature_directions()`)}
     \cgalParamType{`double`, from 0, not at all, to 1}
     \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{work_on_input}
+    \cgalParamDescription{whether field and map are made on the triangles of the input instead of those of a working
+mesh
+      (`make_working_mesh()`), which is as fine as the quads need it}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{cross_field_method}
     \cgalParamDescription{how the singularities of the cross field are found}
     \cgalParamType{`Cross_field_method`}
     \cgalParamDefault{`Cross_field_method::POLISHED`}
     \cgalParamExtra{if the map for `POLISHED` is folded over, the one for `REPRESENTATION` is tried as well, and the
-other way round} \cgalParamNEnd \cgalParamNBegin{rounding_method} \cgalParamDescription{how the integers of the map are
-chosen} \cgalParamType{`Rounding_method`} \cgalParamDefault{`Rounding_method::GREEDY`} \cgalParamNEnd
+      other way round}
+  \cgalParamNEnd
+  \cgalParamNBegin{rounding_method}
+    \cgalParamDescription{how the integers of the map are chosen}
+    \cgalParamType{`Rounding_method`}
+    \cgalParamDefault{`Rounding_method::GREEDY`}
+  \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
     \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1]}
     \cgalParamType{`double`}
@@ -109,9 +129,17 @@ chosen} \cgalParamType{`Rounding_method`} \cgalParamDefault{`Rounding_method::GR
   \cgalParamNBegin{smoothing_iterations}
     \cgalParamDescription{the largest number of steps of the final smoothing, in which all vertices move at once
                           (`smooth_globally` of `smooth_quad_mesh()`), or of that of `optimize_structure`; 0 smooths
-nothing} \cgalParamType{`unsigned int`} \cgalParamDefault{20} \cgalParamNEnd \cgalParamNBegin{optimize_structure}
+                          nothing}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{optimize_structure}
     \cgalParamDescription{whether `optimize_quad_structure()` makes the base complex coarser: fewer patches with the
-same irregular vertices} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+      same irregular
+                          vertices}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
     \cgalParamDescription{how many threads may work at the same time; the result does not depend on it}
     \cgalParamType{`unsigned int`}
@@ -124,10 +152,16 @@ same irregular vertices} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgal
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the time in seconds after which the best mesh so far is the result, if there is one; the
-message says so} \cgalParamType{`double`} \cgalParamDefault{no limit} \cgalParamExtra{with a limit, the result may
-depend on the speed of the machine} \cgalParamNEnd \cgalParamNBegin{face_location_map} \cgalParamDescription{receives
-for every vertex of `qm` where it lies on `tm`} \cgalParamType{a model of `WritablePropertyMap` with the vertices of
-`qm` as keys and `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type} \cgalParamDefault{none}
+      message says so}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit}
+    \cgalParamExtra{with a limit, the result may depend on the speed of the machine}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_location_map}
+    \cgalParamDescription{receives for every vertex of `qm` where it lies on `tm`}
+    \cgalParamType{a model of `WritablePropertyMap` with the vertices of `qm` as keys and
+                   `Polygon_mesh_processing::Face_location<TriangleMesh, double>` as value type}
+    \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told about the stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
@@ -161,11 +195,11 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
   constexpr bool takes_parameters = internal::Takes_parameters<
     NamedParameters, internal_np::target_number_of_quads_t, internal_np::target_edge_length_t,
     internal_np::sharpness_angle_t, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
-    internal_np::face_direction_map_t, internal_np::curvature_alignment_t, internal_np::cross_field_method_t,
-    internal_np::rounding_method_t, internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t,
-    internal_np::optimize_structure_t, internal_np::number_of_threads_t, internal_np::random_seed_t,
-    internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
-    internal_np::vertex_point_t>::value;
+    internal_np::face_direction_map_t, internal_np::curvature_alignment_t, internal_np::work_on_input_t,
+    internal_np::cross_field_method_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
+    internal_np::smoothing_iterations_t, internal_np::optimize_structure_t, internal_np::number_of_threads_t,
+    internal_np::random_seed_t, internal_np::maximum_running_time_t, internal_np::face_location_map_t,
+    internal_np::visitor_t, internal_np::vertex_point_t>::value;
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   constexpr bool has_direction_map =
@@ -205,6 +239,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     o.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), o.cross_field_method);
     o.curvature_alignment =
       choose_parameter(get_parameter(np, internal_np::curvature_alignment), o.curvature_alignment);
+    o.work_on_input = choose_parameter(get_parameter(np, internal_np::work_on_input), o.work_on_input);
     o.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), o.rounding_method);
     o.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), o.anisotropy_weight);
     o.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), o.optimize_structure);

@@ -97,6 +97,10 @@ public:
   /// returns the energy of an assignment of all variables.
   CGAL_QUAD_MESHING_INLINE double energy(const Eigen::VectorXd& x) const;
 
+  /// turns the energy into that of the multiples of all variables by a positive factor, with its least value at that
+  /// multiple of the former one: \f$ b \f$ is multiplied by the factor. Nothing is factorized.
+  CGAL_QUAD_MESHING_INLINE void scale(double factor);
+
   /// returns how many sparse factorizations the last computation took: one, unless the energy was singular.
   int number_of_factorizations() const { return m_factorizations; }
 

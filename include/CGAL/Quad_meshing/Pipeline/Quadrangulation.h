@@ -46,8 +46,8 @@ public:
   /// what is asked for; may be changed between runs
   Quadrangulation_options options;
 
-  /// copies a triangle mesh. The face of number `i` in `faces(tm)` is the origin `i` of the faces that it is split
-  /// into.
+  /// copies a triangle mesh. The face of number `i` in `faces(tm)` is the origin `i` of the faces that lie
+  /// in it.
   ///
   /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` with a 3D point as value type
@@ -99,7 +99,7 @@ public:
   /// returns where a vertex of the quad mesh lies on the input: the number of a face, and the weights of its corners.
   std::pair<std::size_t, std::array<double, 3>> location_on_input(Mesh::Vertex_index v) const
   {
-    return internal::locate_on_input(m_input, *m_surface, m_quads->location[v]);
+    return internal::locate_on_input(m_input, *m_quads, v);
   }
 
 private:

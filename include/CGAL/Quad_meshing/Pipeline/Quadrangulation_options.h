@@ -34,6 +34,8 @@ struct Quadrangulation_options
   Cross_field_method cross_field_method = Cross_field_method::POLISHED;
   /// How much the quads follow the directions in which the surface bends least (`curvature_directions()`), from 0 to 1.
   double curvature_alignment = 1;
+  /// Whether field and map are made on the triangles of the input instead of a working mesh (`make_working_mesh()`).
+  bool work_on_input = false;
   Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;                              ///< the weight of lengths against directions, in (0, 1]
   bool optimize_structure = false;        ///< whether `optimize_quad_structure()` makes the base complex coarser

@@ -32,15 +32,16 @@ typedef Surface_mesh<Quadrangulation_kernel::Point_3> Quadrangulation_mesh;
 
 \brief The triangles that a quadrangulation works on, with the field and the map that the quads were made of.
 
-The input is copied in an order that follows its places in space, and edges are split where that is needed
-(`split_for_alignment()`). The maps of field and map are as `smooth_cross_field()` and `integer_grid_map()` write them.
+They are those of a working mesh (`make_working_mesh()`), or a copy of the input in an order that follows its places in
+space (`Quadrangulation_options::work_on_input`); edges are split where that is needed (`split_for_alignment()`). The
+maps of field and map are as `smooth_cross_field()` and `integer_grid_map()` write them.
 */
 struct Quadrangulation_surface
 {
   typedef Quadrangulation_mesh Mesh;
 
   Mesh mesh;
-  Mesh::Property_map<Mesh::Face_index, std::size_t> origin; ///< the number of the input face that a face lies in
+  Mesh::Property_map<Mesh::Face_index, std::size_t> origin; ///< the number of the input face that a face lies in, or at
   Mesh::Property_map<Mesh::Edge_index, bool> is_feature;    ///< the feature edges that the quads follow
   Mesh::Property_map<Mesh::Face_index, double> angle;       ///< the cross field
   Mesh::Property_map<Mesh::Edge_index, int> period_jump;    ///< the cross field
@@ -74,12 +75,14 @@ struct Quadrangulation_quads
   typedef std::pair<Mesh::Face_index, std::array<double, 3>> Location;
 
   Mesh mesh;
-  Mesh::Property_map<Mesh::Vertex_index, Location> location; ///< where its vertices lie on the triangles
-  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;     ///< its edges along feature edges
+  Mesh::Property_map<Mesh::Vertex_index, Location> location; ///< where its vertices lie on the triangles of the work
+  Mesh::Property_map<Mesh::Vertex_index, std::size_t> input_face; ///< the numbers of the faces of the input they lie in
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;          ///< its edges along feature edges
 
   /// makes an empty mesh.
   Quadrangulation_quads()
     : location(mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first)
+    , input_face(mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:input_face", 0).first)
     , is_feature(mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first)
   {
   }

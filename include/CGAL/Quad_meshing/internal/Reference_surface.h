@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/internal/closest_in_triangle.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_tree.h>
@@ -87,12 +88,12 @@ public:
     Location best{ start, Point_3() };
     int entity = closest_in_triangle(query, start, best.point);
     double distance = squared_distance(query, best.point);
-    while(entity != inside)
+    while(entity != Place_in_triangle::inside)
     {
       // across the side, or anywhere around the corner, that the closest point lies on
       Location better = best;
       double better_distance = distance;
-      int better_entity = inside;
+      int better_entity = Place_in_triangle::inside;
       auto test = [&](int f)
       {
         Point_3 p;
@@ -105,7 +106,7 @@ public:
           better_entity = where;
         }
       };
-      if(entity < first_corner)
+      if(entity < Place_in_triangle::first_corner)
       {
         const int o = m_mesh.opposite[3 * best.face + entity];
         if(o != -1)
@@ -113,7 +114,7 @@ public:
       }
       else
       {
-        const int first = 3 * best.face + entity - first_corner;
+        const int first = 3 * best.face + entity - Place_in_triangle::first_corner;
         int h = first;
         for(int turn = 0; turn < 2; ++turn)
         {
@@ -134,69 +135,11 @@ public:
   }
 
 private:
-  // Where in its triangle a closest point lies: side k is k, corner k is first_corner + k.
-  enum
-  {
-    first_corner = 3,
-    inside = 6
-  };
-
-  // Closest point in the plane of a triangle by the regions of its sides and corners
-  // (Ericson 2005, Real-Time Collision Detection, section 5.1.5).
   int closest_in_triangle(const Point_3& p, int f, Point_3& closest) const
   {
     const std::array<int, 3>& c = m_mesh.corners[f];
-    const Point_3 &a = m_mesh.points[c[0]], &b = m_mesh.points[c[1]], &d = m_mesh.points[c[2]];
-    const Vector_3 ab = b - a, ad = d - a, ap = p - a;
-    const double d1 = ab * ap, d2 = ad * ap;
-    if(d1 <= 0 && d2 <= 0)
-    {
-      closest = a;
-      return first_corner;
-    }
-    const Vector_3 bp = p - b;
-    const double d3 = ab * bp, d4 = ad * bp;
-    if(d3 >= 0 && d4 <= d3)
-    {
-      closest = b;
-      return first_corner + 1;
-    }
-    const double vc = d1 * d4 - d3 * d2;
-    if(vc <= 0 && d1 >= 0 && d3 <= 0)
-    {
-      closest = a + ratio(d1, d1 - d3) * ab;
-      return 0;
-    }
-    const Vector_3 dp = p - d;
-    const double d5 = ab * dp, d6 = ad * dp;
-    if(d6 >= 0 && d5 <= d6)
-    {
-      closest = d;
-      return first_corner + 2;
-    }
-    const double vb = d5 * d2 - d1 * d6;
-    if(vb <= 0 && d2 >= 0 && d6 <= 0)
-    {
-      closest = a + ratio(d2, d2 - d6) * ad;
-      return 2;
-    }
-    const double va = d3 * d6 - d5 * d4;
-    if(va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
-    {
-      closest = b + ratio(d4 - d3, (d4 - d3) + (d5 - d6)) * (d - b);
-      return 1;
-    }
-    const double sum = va + vb + vc;
-    if(!(sum > 0))
-    {
-      closest = a;
-      return first_corner;
-    }
-    closest = a + (vb / sum) * ab + (vc / sum) * ad;
-    return inside;
+    return internal::closest_in_triangle(p, m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]], closest);
   }
-
-  static double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
 
   struct Primitive
   {

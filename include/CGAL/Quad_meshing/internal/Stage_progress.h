@@ -27,6 +27,14 @@ public:
   Stage_progress(const Stage_progress&) = delete;
   Stage_progress& operator=(const Stage_progress&) = delete;
 
+  // For another stage of the same work.
+  void restart()
+  {
+    m_now = m_begin = m_steps = 0;
+    m_end = 1;
+    m_is_stopped = false;
+  }
+
   // The steps from here on bring the progress from where it is towards `end`, without ever reaching it.
   void begin_part(double end)
   {

@@ -100,6 +100,14 @@ CGAL_QUAD_MESHING_INLINE bool Integer_energy::compute(const Matrix& A, const Eig
   return true;
 }
 
+CGAL_QUAD_MESHING_INLINE void Integer_energy::scale(double factor)
+{
+  for(Eigen::VectorXd* v : { &m_b, &m_rhs_of_reals, &m_c, &m_target })
+    *v *= factor;
+  for(double* energy : { &m_constant, &m_relaxed_energy })
+    *energy *= factor * factor;
+}
+
 CGAL_QUAD_MESHING_INLINE double Integer_energy::cost(const Eigen::VectorXd& y) const
 {
   const Eigen::VectorXd d = y - m_target;

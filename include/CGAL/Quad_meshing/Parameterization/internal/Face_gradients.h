@@ -63,6 +63,15 @@ struct Face_gradients
     }
   }
 
+  // For target edge lengths divided by a factor.
+  void scale(double factor)
+  {
+    for(Gradient& g : gradient)
+      g /= factor;
+    for(double& a : area)
+      a *= factor * factor;
+  }
+
   // The Jacobian of triangle f, given the coordinates of its corners as the columns.
   Eigen::Matrix2d jacobian(int f, const Eigen::Matrix<double, 2, 3>& corners) const { return corners * gradient[f]; }
 };

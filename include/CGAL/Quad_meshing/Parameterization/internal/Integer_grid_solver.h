@@ -111,12 +111,33 @@ public:
     return true;
   }
 
+  // The area of the image of the seamless map: about as many quads come of it.
+  double seamless_area() const
+  {
+    double sum = 0;
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+      sum += faces.area[f] * faces.jacobian(f, corner_coordinates(coordinates, f, relaxed)).determinant();
+    return sum;
+  }
+
+  // Turns the seamless map into that for target edge lengths divided by a factor: a multiple of it.
+  void scale(double factor)
+  {
+    faces.scale(factor);
+    m_reduction.scale(factor);
+    relaxed *= factor;
+    relaxed_energy *= factor * factor;
+    m_constant *= factor * factor;
+  }
+
   // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds,
   // changed where two things were rounded onto each other. Then the seamless map is carried to the integers without
   // ever folding; where that gets stuck, things have come together that seemed to be far enough from each other: the
   // integers are changed there too, and so on.
   void round(Rounding_method method, const std::vector<bool>& is_aligned)
   {
+    m_is_carried = false;
+    number_of_separations = number_of_broken_separations = 0;
     std::vector<int> number(coordinates.number_of_variables(), -1);
     for(std::size_t i = 0; i < m_reduction.integers().size(); ++i)
       number[m_reduction.integers()[i]] = static_cast<int>(i);
@@ -236,7 +257,7 @@ public:
   const std::vector<bool> is_singular;
   const Combed_charts charts;
   const Seamless_coordinates coordinates;
-  const Face_gradients faces;
+  Face_gradients faces;
   Eigen::VectorXd relaxed, x;
   std::vector<int> folded_before_rounding; // faces
   double relaxed_energy = 0, rounded_energy = 0;

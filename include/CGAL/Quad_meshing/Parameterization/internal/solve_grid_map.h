@@ -16,6 +16,8 @@
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 
 #include <array>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,20 +27,20 @@ namespace internal {
 // A cross field and what a map that follows it has to respect, in flat arrays.
 struct Grid_map_problem
 {
-  const Indexed_triangle_mesh& mesh;
+  Indexed_triangle_mesh mesh;
   std::vector<double> angle;    // per face
   std::vector<int> period_jump; // per edge, oriented as its halfedge
   std::vector<int> quarters;    // per vertex: the right angles around it in the map, -1 where any number will do
   std::vector<bool> is_aligned; // per edge: it has to lie on a grid line
   std::vector<double> sizing;   // per face: the target edge length
 
-  explicit Grid_map_problem(const Indexed_triangle_mesh& m)
-    : mesh(m)
-    , angle(m.number_of_faces())
-    , period_jump(m.number_of_edges())
-    , quarters(m.number_of_vertices())
-    , is_aligned(m.number_of_edges())
-    , sizing(m.number_of_faces())
+  explicit Grid_map_problem(Indexed_triangle_mesh m)
+    : mesh(std::move(m))
+    , angle(mesh.number_of_faces())
+    , period_jump(mesh.number_of_edges())
+    , quarters(mesh.number_of_vertices())
+    , is_aligned(mesh.number_of_edges())
+    , sizing(mesh.number_of_faces())
   {
   }
 };
@@ -51,12 +53,32 @@ struct Grid_map_options
   unsigned int number_of_threads = 1;
 };
 
-// Computes an integer-grid map [Bom12, 8.4] and fills in the figures of the result. `uv` gets the image of the source
-// of every halfedge in the chart of its face, if the status is VALID or FOLDED.
-CGAL_QUAD_MESHING_INLINE Integer_grid_map_status solve_grid_map(const Grid_map_problem& problem,
-                                                                const Grid_map_options& options, Any_visitor& visitor,
-                                                                std::vector<std::array<double, 2>>& uv,
-                                                                Integer_grid_map_result& result);
+// The seamless map along a field [Bom12, 8.4], and integer-grid maps made of it.
+class Grid_map_solver
+{
+public:
+  CGAL_QUAD_MESHING_INLINE Grid_map_solver(Grid_map_problem problem, const Grid_map_options& options);
+  CGAL_QUAD_MESHING_INLINE Grid_map_solver(Grid_map_solver&& other);
+  CGAL_QUAD_MESHING_INLINE ~Grid_map_solver();
+
+  // Computes the seamless map and fills in the figures of the result. Returns VALID if there is one.
+  CGAL_QUAD_MESHING_INLINE Integer_grid_map_status solve(Any_visitor& visitor, Integer_grid_map_result& result);
+
+  // The area of the image of the seamless map for the lengths that the problem asks for.
+  CGAL_QUAD_MESHING_INLINE double area() const;
+
+  // Rounds a multiple of the seamless map, for these multiples of the lengths, and fills in the figures of the result.
+  // `uv` gets the image of the source of every halfedge in the chart of its face, if the status is VALID or FOLDED.
+  CGAL_QUAD_MESHING_INLINE Integer_grid_map_status round(double relative_length, Rounding_method method,
+                                                         Any_visitor& visitor, std::vector<std::array<double, 2>>& uv,
+                                                         Integer_grid_map_result& result);
+
+  CGAL_QUAD_MESHING_INLINE const Indexed_triangle_mesh& mesh() const;
+
+private:
+  struct Data; // known where maps are computed
+  std::unique_ptr<Data> m_data;
+};
 
 } // namespace internal
 } // namespace Quad_meshing

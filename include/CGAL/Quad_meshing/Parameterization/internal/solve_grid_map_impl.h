@@ -13,46 +13,111 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/solve_grid_map.h>
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-CGAL_QUAD_MESHING_INLINE Integer_grid_map_status solve_grid_map(const Grid_map_problem& problem,
-                                                                const Grid_map_options& options, Any_visitor& visitor,
-                                                                std::vector<std::array<double, 2>>& uv,
-                                                                Integer_grid_map_result& result)
+// Passes on to the visitor of the call that is going on.
+class Changing_visitor : public Any_visitor
 {
-  // How far the progress has come at the end of each part.
-  const double set_up = 0.1, seamless = 0.5, rounded = 0.8;
+public:
+  Any_visitor* visitor = nullptr;
 
-  const Visited_stage stage(visitor, "parameterization");
-  Stage_progress progress(visitor);
-  progress.begin_part(set_up);
-  if(!progress.go_further())
-    return Integer_grid_map_status::STOPPED;
-  Integer_grid_solver solver(problem.mesh, problem.angle, problem.period_jump, problem.quarters, problem.is_aligned,
-                             problem.sizing, options.number_of_threads, progress);
-  result.variables = solver.coordinates.number_of_variables();
-  result.integers = solver.number_of_integers();
-  if(!progress.go_further(set_up))
-    return Integer_grid_map_status::STOPPED;
+  void on_stage_begin(const std::string& name) override { visitor->on_stage_begin(name); }
+  void on_stage_end(const std::string& name) override { visitor->on_stage_end(name); }
+  void progress(double completed) override { visitor->progress(completed); }
+  bool go_further() override { return visitor->go_further(); }
+};
 
-  progress.begin_part(seamless);
-  const bool is_solved = solver.solve_seamless(options.anisotropy_weight, options.stiffening_iterations);
-  if(!progress.go_further(seamless))
+struct Grid_map_solver::Data
+{
+  const Grid_map_problem problem;
+  const Grid_map_options options;
+  Changing_visitor visitor;
+  Stage_progress progress;
+  std::unique_ptr<Integer_grid_solver> solver;
+  double relative_length = 1; // of the seamless map
+  double area = 0;            // of its image at first
+
+  Data(Grid_map_problem&& p, const Grid_map_options& o) : problem(std::move(p)), options(o), progress(visitor) {}
+};
+
+CGAL_QUAD_MESHING_INLINE Grid_map_solver::Grid_map_solver(Grid_map_problem problem, const Grid_map_options& options)
+  : m_data(std::make_unique<Data>(std::move(problem), options))
+{
+}
+
+CGAL_QUAD_MESHING_INLINE Grid_map_solver::Grid_map_solver(Grid_map_solver&& other) = default;
+
+CGAL_QUAD_MESHING_INLINE Grid_map_solver::~Grid_map_solver() = default;
+
+CGAL_QUAD_MESHING_INLINE double Grid_map_solver::area() const { return m_data->area; }
+
+CGAL_QUAD_MESHING_INLINE const Indexed_triangle_mesh& Grid_map_solver::mesh() const { return m_data->problem.mesh; }
+
+CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::solve(Any_visitor& visitor,
+                                                                        Integer_grid_map_result& result)
+{
+  const double set_up = 0.2; // how far the progress has come at the end of this part
+
+  const Visited_stage stage(visitor, "seamless map");
+  Data& d = *m_data;
+  d.visitor.visitor = &visitor;
+  d.progress.restart();
+  d.progress.begin_part(set_up);
+  if(!d.progress.go_further())
+    return Integer_grid_map_status::STOPPED;
+  d.solver = std::make_unique<Integer_grid_solver>(d.problem.mesh, d.problem.angle, d.problem.period_jump,
+                                                   d.problem.quarters, d.problem.is_aligned, d.problem.sizing,
+                                                   d.options.number_of_threads, d.progress);
+  result.variables = d.solver->coordinates.number_of_variables();
+  result.integers = d.solver->number_of_integers();
+  if(!d.progress.go_further(set_up))
+    return Integer_grid_map_status::STOPPED;
+  d.progress.begin_part(1.);
+  const bool is_solved = d.solver->solve_seamless(d.options.anisotropy_weight, d.options.stiffening_iterations);
+  if(!d.progress.go_further(1.))
     return Integer_grid_map_status::STOPPED;
   if(!is_solved)
     return Integer_grid_map_status::NUMERICAL_FAILURE;
+  d.area = d.solver->seamless_area();
+  result.relaxed_energy = d.solver->relaxed_energy;
+  result.folded_before_rounding.assign(d.solver->folded_before_rounding.begin(),
+                                       d.solver->folded_before_rounding.end());
+  return Integer_grid_map_status::VALID;
+}
 
-  progress.begin_part(rounded);
-  solver.round(options.rounding_method, problem.is_aligned);
-  if(!progress.go_further(rounded))
+CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double relative_length, Rounding_method method,
+                                                                        Any_visitor& visitor,
+                                                                        std::vector<std::array<double, 2>>& uv,
+                                                                        Integer_grid_map_result& result)
+{
+  const double rounded = 0.6; // how far the progress has come at the end of this part
+
+  const Visited_stage stage(visitor, "integer-grid map");
+  Data& d = *m_data;
+  d.visitor.visitor = &visitor;
+  d.progress.restart();
+  d.progress.begin_part(rounded);
+  if(!d.progress.go_further())
     return Integer_grid_map_status::STOPPED;
-
-  progress.begin_part(1.);
-  solver.remove_fold_overs(options.stiffening_iterations, options.anisotropy_weight);
+  Integer_grid_solver& solver = *d.solver;
+  if(relative_length != d.relative_length)
+    solver.scale(d.relative_length / relative_length);
+  d.relative_length = relative_length;
+  solver.round(method, d.problem.is_aligned);
+  if(!d.progress.go_further(rounded))
+    return Integer_grid_map_status::STOPPED;
+  d.progress.begin_part(1.);
+  solver.remove_fold_overs(d.options.stiffening_iterations, d.options.anisotropy_weight);
   solver.make_exact();
-  if(!progress.go_further(1.))
+  if(!d.progress.go_further(1.))
     return Integer_grid_map_status::STOPPED;
 
   result.relaxed_energy = solver.relaxed_energy;
@@ -61,9 +126,8 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status solve_grid_map(const Grid_map_p
   result.broken_separations = solver.number_of_broken_separations;
   const std::vector<int> folded = solver.folded_faces();
   result.folded_faces.assign(folded.begin(), folded.end());
-  result.folded_before_rounding.assign(solver.folded_before_rounding.begin(), solver.folded_before_rounding.end());
-  uv.resize(problem.mesh.number_of_halfedges());
-  for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
+  uv.resize(d.problem.mesh.number_of_halfedges());
+  for(int h = 0; h < d.problem.mesh.number_of_halfedges(); ++h)
   {
     const auto p = solver.corner(h / 3, h % 3);
     uv[h] = { { p.x(), p.y() } };

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_search.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Working_surface.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
@@ -24,6 +25,8 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -51,28 +54,37 @@ class Component_quadrangulation
   typedef Quadrangulation_status Status;
 
 public:
-  // directions: per face of the input, or empty
-  Component_quadrangulation(Quadrangulation_surface& surface, const Component_request& request,
+  // `surface` is the component; what it is worked on takes its place. directions: per face of the input, or empty
+  Component_quadrangulation(std::unique_ptr<Quadrangulation_surface>& surface, const Component_request& request,
                             const std::vector<std::optional<Quadrangulation_kernel::Vector_3>>& directions,
                             const Quadrangulation_options& options, Pipeline_visitor& visitor)
     : m_surface(surface)
+    , m_work(surface)
     , m_request(request)
     , m_directions(directions)
     , m_options(options)
     , m_visitor(visitor)
-    , m_topology(surface_topology(surface.mesh))
+    , m_topology(surface_topology(surface->mesh))
   {
+    for(Mesh::Face_index f : surface->mesh.faces())
+      first_input_face = (std::min)(first_input_face, surface->origin[f]);
   }
 
   Quadrangulation_result result;
-  std::shared_ptr<Quadrangulation_quads> quads; // null: there are none
-  double feature_length = 0;                    // of the feature edges that may be released
+  std::shared_ptr<Quadrangulation_quads> quads;                             // null: there are none
+  double feature_length = 0;                                                // of the feature edges that may be released
+  std::size_t first_input_face = (std::numeric_limits<std::size_t>::max)(); // the smallest number of a face
 
   void run()
   {
-    prepare();
-    if(!make_quads())
-      return;
+    if(prepare() && make_quads())
+      finish();
+    m_work.number_origins();
+  }
+
+private:
+  void finish()
+  {
     if(result.status == Status::VALID && result.other_faces == 0 && !m_visitor.is_time_up())
     {
       if(m_options.optimize_structure)
@@ -80,38 +92,51 @@ public:
       else if(m_options.smoothing_iterations != 0)
         smooth();
     }
-    if(result.status != Status::STOPPED)
-      check();
+    if(result.status == Status::STOPPED)
+      return;
+    m_work.locate_on_input(*quads);
+    check();
   }
 
-private:
   // The weight, at full alignment, of a squared deviation from a reliable direction of curvature over the area of one
   // quad, against a squared difference between two triangles. From 0.03 to 3, directions get nearer to those of the
   // surface and singularities more: on a rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7
   // and 46 with 3.
   static constexpr double weight_of_alignment = 1;
 
-  void prepare()
+  bool prepare()
   {
-    Mesh& mesh = m_surface.mesh;
+    find_features();
+    if(!m_options.work_on_input)
+    {
+      const std::string stopped = m_work.make(m_request.length, m_visitor);
+      if(!stopped.empty())
+        return stop_early(stopped);
+    }
+    // In target edge lengths. A map is linear on a triangle; a few triangles per quad let it bend.
+    const double longest_edge = 1.5;
+    split_for_alignment(m_surface->mesh, m_surface->mesh.points(), m_surface->is_feature, m_options.align_boundary,
+                        m_surface->origin, longest_edge * m_request.length);
+    result.prepared_faces = m_surface->mesh.number_of_faces();
+    return true;
+  }
+
+  void find_features()
+  {
+    const Mesh& mesh = m_surface->mesh;
     if(m_request.has_features)
     {
       for(Mesh::Edge_index e : mesh.edges())
-        result.feature_edges += m_surface.is_feature[e];
+        result.feature_edges += m_surface->is_feature[e];
     }
     else
     {
       const Feature_edges_result features =
-        detect_feature_edges(mesh, m_options.sharpness_angle, m_request.length, m_surface.is_feature);
+        detect_feature_edges(mesh, m_options.sharpness_angle, m_request.length, m_surface->is_feature);
       result.feature_edges = features.number_of_edges;
       result.dropped_feature_edges = features.number_of_dropped_edges;
       feature_length = features.length;
     }
-    // In target edge lengths. A map is linear on a triangle; a few triangles per quad let it bend.
-    const double longest_edge = 1.5;
-    split_for_alignment(mesh, mesh.points(), m_surface.is_feature, m_options.align_boundary, m_surface.origin,
-                        longest_edge * m_request.length);
-    result.prepared_faces = mesh.number_of_faces();
   }
 
   bool make_quads()
@@ -120,7 +145,7 @@ private:
     if(!find_directions(directions))
       return false;
     Grid_map_search search(
-      m_surface, directions,
+      *m_surface, directions,
       { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor);
     const std::shared_ptr<const Grid_map_attempt> attempt = search.run();
     result.field_seconds += search.figures.field_seconds;
@@ -138,10 +163,20 @@ private:
     return false;
   }
 
+  // Before there is a mesh.
+  bool stop_early(const std::string& message)
+  {
+    if(m_visitor.is_stopped())
+      fail(Status::STOPPED, message);
+    else
+      fail(Status::OUT_OF_TIME, "The time was up before there was a mesh.");
+    return false;
+  }
+
   // Those of the user are hard, those of the surface are soft.
   bool find_directions(Grid_map_search::Directions& directions)
   {
-    const Mesh& mesh = m_surface.mesh;
+    const Mesh& mesh = m_surface->mesh;
     Real_timer timer;
     timer.start();
     directions.direction.resize(mesh.number_of_faces());
@@ -152,24 +187,21 @@ private:
         mesh, m_request.length,
         boost::make_iterator_property_map(directions.direction.begin(), get(boost::face_index, mesh)),
         boost::make_iterator_property_map(directions.weight.begin(), get(boost::face_index, mesh)),
-        parameters::edge_is_constrained_map(m_surface.is_feature).visitor(std::ref(m_visitor)));
+        parameters::edge_is_constrained_map(m_surface->is_feature).visitor(std::ref(m_visitor)));
       if(!guides.is_valid())
       {
-        if(m_visitor.is_stopped())
-          fail(Status::STOPPED, guides.message);
-        else if(guides.status == Curvature_guide_status::STOPPED)
-          fail(Status::OUT_OF_TIME, "The time was up before there was a mesh.");
-        else
-          fail(Status::FAILED, guides.message);
+        if(guides.status == Curvature_guide_status::STOPPED)
+          return stop_early(guides.message);
+        fail(Status::FAILED, guides.message);
         return false;
       }
     }
     for(Mesh::Face_index f : mesh.faces())
     {
       directions.weight[f] *= m_options.curvature_alignment * weight_of_alignment;
-      if(!m_directions.empty() && m_directions[m_surface.origin[f]])
+      if(!m_directions.empty() && m_directions[m_work.input_face(f)])
       {
-        directions.direction[f] = m_directions[m_surface.origin[f]];
+        directions.direction[f] = m_directions[m_work.input_face(f)];
         directions.weight[f] = (std::numeric_limits<double>::infinity)();
       }
     }
@@ -180,17 +212,18 @@ private:
   void take(const Grid_map_attempt& attempt)
   {
     const Field_attempt& field = *attempt.field;
-    assign(m_surface.mesh.edges(), field.is_feature, m_surface.is_feature);
-    assign(m_surface.mesh.faces(), field.angle, m_surface.angle);
-    assign(m_surface.mesh.edges(), field.period_jump, m_surface.period_jump);
-    assign(m_surface.mesh.vertices(), field.index, m_surface.index);
-    assign(m_surface.mesh.halfedges(), attempt.uv, m_surface.uv);
+    assign(m_surface->mesh.edges(), field.is_feature, m_surface->is_feature);
+    assign(m_surface->mesh.faces(), field.angle, m_surface->angle);
+    assign(m_surface->mesh.edges(), field.period_jump, m_surface->period_jump);
+    assign(m_surface->mesh.vertices(), field.index, m_surface->index);
+    assign(m_surface->mesh.halfedges(), attempt.uv, m_surface->uv);
     quads = attempt.quads;
+    m_work.move_to_input(*quads);
     result.released_feature_share = feature_length > 0 ? field.released_length / feature_length : 0;
     result.singularities = field.singularities;
     result.field_integers = field.integers;
     result.field_energy = field.energy;
-    result.target_edge_length = attempt.relative_length * m_request.length;
+    result.target_edge_length = attempt.length() * m_request.length;
     result.parameterization_integers = attempt.integers;
     result.parameterization_energy = attempt.energy;
     result.relaxed_parameterization_energy = attempt.relaxed_energy;
@@ -227,12 +260,12 @@ private:
     Real_timer timer;
     timer.start();
     const Quad_mesh_smoothing_result smoothing =
-      smooth_quad_mesh(quads->mesh, m_surface.mesh,
+      smooth_quad_mesh(quads->mesh, m_work.input().mesh,
                        parameters::smooth_globally(true)
                          .edge_is_constrained_map(quads->is_feature)
                          .smoothing_iterations(m_options.smoothing_iterations)
                          .visitor(std::ref(m_visitor)),
-                       parameters::edge_is_constrained_map(m_surface.is_feature));
+                       parameters::edge_is_constrained_map(m_work.input().is_feature));
     result.smoothing_seconds = timer.time();
     if(m_visitor.is_stopped())
       return stop(smoothing.message);
@@ -246,11 +279,11 @@ private:
     Real_timer timer;
     timer.start();
     const Quad_structure_optimization_result optimization =
-      optimize_quad_structure(quads->mesh, m_surface.mesh,
+      optimize_quad_structure(quads->mesh, m_work.input().mesh,
                               parameters::smoothing_iterations(m_options.smoothing_iterations)
                                 .edge_is_constrained_map(quads->is_feature)
                                 .visitor(std::ref(m_visitor)),
-                              parameters::edge_is_constrained_map(m_surface.is_feature));
+                              parameters::edge_is_constrained_map(m_work.input().is_feature));
     quads->mesh.collect_garbage();
     result.structure_seconds = timer.time();
     if(m_visitor.is_stopped())
@@ -261,12 +294,13 @@ private:
     locate_vertices();
   }
 
-  // Vertices that have moved, or that the extraction did not make, lie at the nearest place of the triangle mesh.
+  // Vertices that have moved, or that the extraction did not make, lie at the nearest place of the triangles of the
+  // work.
   void locate_vertices()
   {
     typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
     typedef AABB_tree<Aabb_traits<Quadrangulation_kernel, Primitive>> Tree;
-    const Mesh& mesh = m_surface.mesh;
+    const Mesh& mesh = m_surface->mesh;
     const Tree tree(faces(mesh).first, faces(mesh).second, mesh);
     for(Mesh::Vertex_index v : quads->mesh.vertices())
       quads->location[v] = Polygon_mesh_processing::locate_with_AABB_tree(quads->mesh.point(v), tree, mesh);
@@ -301,7 +335,8 @@ private:
     return list;
   }
 
-  Quadrangulation_surface& m_surface;
+  std::unique_ptr<Quadrangulation_surface>& m_surface; // that is worked on
+  Working_surface m_work;
   const Component_request m_request;
   const std::vector<std::optional<Quadrangulation_kernel::Vector_3>>& m_directions;
   const Quadrangulation_options& m_options;

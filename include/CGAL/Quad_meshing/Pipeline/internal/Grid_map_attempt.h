@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_ATTEMPT_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_GRID_MAP_ATTEMPT_H
 
+#include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/quad_counts.h>
@@ -32,13 +33,15 @@ struct Field_attempt
   double released_length = 0;   // of detected feature edges that it need not follow
   int singularities = 0, integers = 0;
   double energy = 0;
+  std::shared_ptr<Seamless_map> map; // null until it is needed
+  double fitting_length = 1;         // at which it has as many quads as are asked for, over the length asked for
 };
 
 // What became of a plan: a field, a map, and the quads of the map if none of its triangles is folded.
 struct Grid_map_attempt
 {
-  std::shared_ptr<const Field_attempt> field;
-  double relative_length = 1;
+  std::shared_ptr<Field_attempt> field;
+  double relative_length = 1;                      // of its plan
   std::vector<Quadrangulation_kernel::Point_2> uv; // per halfedge
   std::vector<Quadrangulation_mesh::Face_index> folded, folded_before_rounding;
   int integers = 0;
@@ -48,6 +51,9 @@ struct Grid_map_attempt
   bool is_simple = true;                        // its quads form a mesh
   std::string message;                          // of the extraction
   std::size_t other_faces = 0, irregular_vertices = 0;
+
+  // Of the quads, in target edge lengths.
+  double length() const { return relative_length * field->fitting_length; }
 
   std::size_t number_of_quads() const { return quads ? quads->mesh.number_of_faces() : 0; }
 

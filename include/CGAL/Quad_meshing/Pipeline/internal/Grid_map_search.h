@@ -12,7 +12,7 @@
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
 #include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
-#include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
+#include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Pipeline_visitor.h>
@@ -23,6 +23,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -135,7 +136,7 @@ private:
   // Null if there is no map, or if the plan changes nothing.
   std::shared_ptr<Grid_map_attempt> carry_out(const Grid_map_plan& plan, const Grid_map_attempt* best)
   {
-    std::shared_ptr<const Field_attempt> field = best ? best->field : nullptr;
+    std::shared_ptr<Field_attempt> field = best ? best->field : nullptr;
     if(plan.new_field)
     {
       std::vector<char> is_feature = best ? best->field->is_feature : initial_features();
@@ -171,10 +172,10 @@ private:
   // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there
   // is hardly one to be found: then the feature edges are given up, all of them. Few singularities may be as close as
   // they like.
-  std::shared_ptr<const Field_attempt> field_with_room(Cross_field_method method, const std::vector<char>& is_feature,
-                                                       double released)
+  std::shared_ptr<Field_attempt> field_with_room(Cross_field_method method, const std::vector<char>& is_feature,
+                                                 double released)
   {
-    std::shared_ptr<const Field_attempt> field = compute_field(method, is_feature, released);
+    std::shared_ptr<Field_attempt> field = compute_field(method, is_feature, released);
     if(field && !has_room(*field) && m_options.releasable_length > released)
       field = compute_field(method, std::vector<char>(is_feature.size(), 0), m_options.releasable_length);
     if(!field || has_room(*field))
@@ -200,8 +201,8 @@ private:
     message = m;
   }
 
-  std::shared_ptr<const Field_attempt> compute_field(Cross_field_method method, const std::vector<char>& is_feature,
-                                                     double released)
+  std::shared_ptr<Field_attempt> compute_field(Cross_field_method method, const std::vector<char>& is_feature,
+                                               double released)
   {
     const Mesh& mesh = m_surface.mesh;
     auto field = std::make_shared<Field_attempt>();
@@ -242,38 +243,59 @@ private:
     return nullptr;
   }
 
-  std::shared_ptr<Grid_map_attempt> map(const std::shared_ptr<const Field_attempt>& field, double relative_length)
+  std::shared_ptr<Grid_map_attempt> map(const std::shared_ptr<Field_attempt>& field, double relative_length)
   {
-    const Quadrangulation_options& o = m_options.quadrangulation;
+    if(!field->map && !compute_seamless_map(*field))
+      return nullptr;
     auto attempt = std::make_shared<Grid_map_attempt>();
     attempt->field = field;
     attempt->relative_length = relative_length;
     attempt->uv.resize(m_surface.mesh.number_of_halfedges());
-    const Integer_grid_map_result r = integer_grid_map(
-      m_surface.mesh, map_of(boost::face_index, field->angle), map_of(boost::edge_index, field->period_jump),
-      map_of(boost::vertex_index, field->index), map_of(boost::halfedge_index, attempt->uv),
-      parameters::target_edge_length(relative_length * m_options.length)
-        .edge_is_constrained_map(map_of(boost::edge_index, field->is_feature))
-        .align_boundary(o.align_boundary)
-        .rounding_method(o.rounding_method)
-        .anisotropy_weight(o.anisotropy_weight)
-        .number_of_threads(o.number_of_threads)
-        .visitor(std::ref(m_visitor)));
+    const Integer_grid_map_result r = field->map->round(
+      m_surface.mesh, attempt->length(), map_of(boost::halfedge_index, attempt->uv),
+      parameters::rounding_method(m_options.quadrangulation.rounding_method).visitor(std::ref(m_visitor)));
     ++figures.parameterization_attempts;
     figures.parameterization_seconds += r.seconds;
     if(r.status == Integer_grid_map_status::STOPPED)
       return stopped(r.message);
-    if(r.status != Integer_grid_map_status::VALID && r.status != Integer_grid_map_status::FOLDED)
-    {
-      fail(Status::FAILED, r.message);
-      return nullptr;
-    }
     attempt->integers = r.integers;
     attempt->energy = r.energy;
     attempt->relaxed_energy = r.relaxed_energy;
     attempt->folded = faces(r.folded_faces);
     attempt->folded_before_rounding = faces(r.folded_before_rounding);
     return attempt;
+  }
+
+  // The map of a field, for the length asked for, and the length at which it has as many quads as are asked for.
+  bool compute_seamless_map(Field_attempt& field)
+  {
+    const Quadrangulation_options& o = m_options.quadrangulation;
+    field.map = std::make_shared<Seamless_map>(m_surface.mesh, map_of(boost::face_index, field.angle),
+                                               map_of(boost::edge_index, field.period_jump),
+                                               map_of(boost::vertex_index, field.index),
+                                               parameters::target_edge_length(m_options.length)
+                                                 .edge_is_constrained_map(map_of(boost::edge_index, field.is_feature))
+                                                 .align_boundary(o.align_boundary)
+                                                 .anisotropy_weight(o.anisotropy_weight)
+                                                 .number_of_threads(o.number_of_threads)
+                                                 .visitor(std::ref(m_visitor)));
+    const Integer_grid_map_result& r = field.map->result();
+    figures.parameterization_seconds += r.seconds;
+    if(!field.map->is_solved())
+    {
+      if(r.status == Integer_grid_map_status::STOPPED)
+        stopped(r.message);
+      else
+        fail(Status::FAILED, r.message);
+      return false;
+    }
+    // Further off, the map is so distorted that the number of quads says little.
+    const double largest_correction = 1.5;
+    if(m_options.requested_quads > 0 && field.map->number_of_quads() > 0)
+      field.fitting_length = (std::min)(
+        largest_correction,
+        (std::max)(1 / largest_correction, std::sqrt(field.map->number_of_quads() / m_options.requested_quads)));
+    return true;
   }
 
   static std::vector<Mesh::Face_index> faces(const std::vector<std::size_t>& numbers)

@@ -50,20 +50,14 @@ inline std::array<double, 3> triangle_weights(const Quadrangulation_kernel::Poin
   return w;
 }
 
-// Where a place on the prepared triangles lies on the input: the number of its face and the weights of that face's
-// corners.
-inline std::pair<std::size_t, std::array<double, 3>> locate_on_input(const Triangle_input& input,
-                                                                     const Quadrangulation_surface& surface,
-                                                                     const Quadrangulation_quads::Location& location)
+// Where a vertex of the quads lies on the input: the number of its face and the weights of that face's corners.
+inline std::pair<std::size_t, std::array<double, 3>>
+locate_on_input(const Triangle_input& input, const Quadrangulation_quads& quads, Quadrangulation_mesh::Vertex_index v)
 {
-  typedef Quadrangulation_mesh Mesh;
-  const Mesh& mesh = surface.mesh;
-  const Mesh::Halfedge_index h = mesh.halfedge(location.first);
-  const auto p = CGAL::barycenter(mesh.point(mesh.source(h)), location.second[0], mesh.point(mesh.target(h)),
-                                  location.second[1], mesh.point(mesh.target(mesh.next(h))), location.second[2]);
-  const std::size_t i = surface.origin[location.first];
+  const std::size_t i = quads.input_face[v];
   const std::array<int, 3>& c = input.triangles[i];
-  return std::make_pair(i, triangle_weights(p, { { input.points[c[0]], input.points[c[1]], input.points[c[2]] } }));
+  return std::make_pair(
+    i, triangle_weights(quads.mesh.point(v), { { input.points[c[0]], input.points[c[1]], input.points[c[2]] } }));
 }
 
 } // namespace internal

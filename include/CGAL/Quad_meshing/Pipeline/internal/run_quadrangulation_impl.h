@@ -158,7 +158,7 @@ private:
     if(workers > 1)
       options.number_of_threads = 1;
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
-      m_components.push_back(std::make_unique<Component_quadrangulation>(*m_surfaces[i], m_requests[i],
+      m_components.push_back(std::make_unique<Component_quadrangulation>(m_surfaces[i], m_requests[i],
                                                                          m_input.directions, options, m_visitor));
     std::atomic<std::size_t> next(0);
     auto work = [&]
@@ -211,7 +211,7 @@ private:
       m_result.failed_components += !m_components[i]->quads;
       feature_length += m_components[i]->feature_length;
       released_length += r.released_feature_share * m_components[i]->feature_length;
-      if(r.is_valid() && r.target_edge_length != m_requests[i].length)
+      if(!asks_for_number() && r.is_valid() && r.target_edge_length != m_requests[i].length)
       {
         is_for_other_length = true;
         relative_length = r.target_edge_length / m_requests[i].length;
@@ -285,10 +285,8 @@ private:
     for(std::size_t i = 0; i < m_components.size() && named < most_named; ++i)
       if(!m_components[i]->result.is_valid())
       {
-        std::size_t face = m_input.triangles.size();
-        for(Mesh::Face_index f : m_surfaces[i]->mesh.faces())
-          face = (std::min)(face, m_surfaces[i]->origin[f]);
-        m_result.message += (named == 0 ? ": that of face " : "; that of face ") + std::to_string(face) + ": " +
+        m_result.message += (named == 0 ? ": that of face " : "; that of face ") +
+                            std::to_string(m_components[i]->first_input_face) + ": " +
                             without_period(m_components[i]->result.message);
         ++named;
       }
