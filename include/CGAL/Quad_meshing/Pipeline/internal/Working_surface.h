@@ -42,6 +42,9 @@ public:
   // Puts a working mesh in the place of the input. Returns a message if the visitor stopped it, nothing else.
   std::string make(double target_edge_length, Pipeline_visitor& visitor)
   {
+    // The vertices of quads are moved by the smoothing too.
+    const double largest_distance = 0.2; // in target edge lengths
+    m_largest_distance = largest_distance * target_edge_length;
     m_input = std::move(m_surface);
     m_surface = std::make_unique<Quadrangulation_surface>();
     auto place = m_surface->mesh.add_property_map<Mesh::Vertex_index, Mesh::Face_index>("v:place").first;
@@ -51,7 +54,7 @@ public:
                         parameters::input_face_map(place).edge_is_constrained_map(m_surface->is_feature));
     if(!result.is_valid())
       return result.message;
-    m_walk =
+    m_reference =
       std::make_unique<Reference_surface>(make_indexed_triangle_mesh(m_input->mesh, parameters::default_values()));
     for(Mesh::Face_index f : m_surface->mesh.faces())
     {
@@ -115,7 +118,7 @@ public:
       return;
     for(Mesh::Face_index f : m_surface->mesh.faces())
       m_surface->origin[f] = input_face(f);
-    m_walk.reset();
+    m_reference.reset();
     m_curves.reset();
   }
 
@@ -128,9 +131,15 @@ private:
 
   std::size_t input_number(int f) const { return m_input->origin[Mesh::Face_index(static_cast<Mesh::size_type>(f))]; }
 
+  // The place of a point of the working mesh on the input, near a place that is known. A walk may end at a corner that
+  // hides the rest of the surface, far from the point: only then the nearest place of all is taken.
   Reference_surface::Location walk(const Point_3& p, int start) const
   {
-    return m_walk->walk(Reference_surface::Point_3(p.x(), p.y(), p.z()), start);
+    const Reference_surface::Point_3 q(p.x(), p.y(), p.z());
+    const Reference_surface::Location place = m_reference->walk(q, start);
+    return squared_distance(place.point, q) <= m_largest_distance * m_largest_distance
+             ? place
+             : m_reference->locate(q, place.face);
   }
 
   void find_curves()
@@ -145,7 +154,8 @@ private:
 
   std::unique_ptr<Quadrangulation_surface>& m_surface;
   std::unique_ptr<Quadrangulation_surface> m_input; // null while m_surface is the input
-  std::unique_ptr<Reference_surface> m_walk;        // on the input
+  std::unique_ptr<Reference_surface> m_reference;   // the input
+  double m_largest_distance = 0;                    // between the working mesh and the input
   std::vector<Segment_3> m_segments;                // of the features and borders of the input
   std::unique_ptr<Curve_tree> m_curves;
 };

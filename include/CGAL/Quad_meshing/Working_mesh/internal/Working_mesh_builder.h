@@ -47,6 +47,7 @@ public:
     , m_input(input)
     , m_shortest(shortest_edge * target_edge_length)
     , m_longest(longest_edge * target_edge_length)
+    , m_largest_curve_error(largest_curve_error * target_edge_length)
     , m_progress(visitor)
     , m_mark(triangles.number_of_vertices(), 0)
   {
@@ -87,6 +88,8 @@ private:
   static constexpr double shortest_edge = 0.33, longest_edge = 1.5;
   // In target edge lengths: half of what is promised, as the interior of triangles is not looked at.
   static constexpr double largest_error = 0.05;
+  // The same for curves, whose vertices are all looked at.
+  static constexpr double largest_curve_error = 0.1;
   // See Triangle_patch::quality().
   static constexpr double least_quality = 0.35;
   // How much edges may grow from one pass over the mesh to the next. A small factor makes better triangles, a large one
@@ -251,7 +254,7 @@ private:
       return false;
     const Point_3 &p = triangles.points[v], &q = triangles.points[w], &r = triangles.points[other];
     error = old_error + std::sqrt(squared_distance(p, Simple_cartesian<double>::Segment_3(q, r)));
-    return error <= m_limits.error && turns_enough(other, v, w) && turns_enough(w, v, other);
+    return error <= m_largest_curve_error && turns_enough(other, v, w) && turns_enough(w, v, other);
   }
 
   // Whether the curve through a does not turn more there if it goes on to c instead of b.
@@ -495,7 +498,7 @@ private:
   }
 
   const Reference_surface& m_input;
-  const double m_shortest, m_longest;
+  const double m_shortest, m_longest, m_largest_curve_error;
   Triangle_patch::Limits m_limits;
   Stage_progress m_progress;
   std::vector<Input_of_face> m_face_input; // per face
