@@ -83,6 +83,15 @@ public:
     return Location{ closest.second, closest.first };
   }
 
+  // The place of a point that is at most so far from the surface, by a walk from a place of a point nearby. A walk can
+  // end at a corner that hides the rest of the surface: only then it is the closest point of all.
+  Location follow(const Point_3& query, int start, double largest_distance)
+  {
+    const Location place = walk(query, start);
+    return squared_distance(place.point, query) <= largest_distance * largest_distance ? place
+                                                                                       : locate(query, place.face);
+  }
+
   Location walk(const Point_3& query, int start) const
   {
     Location best{ start, Point_3() };

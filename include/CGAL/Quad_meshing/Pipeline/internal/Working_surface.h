@@ -131,15 +131,10 @@ private:
 
   std::size_t input_number(int f) const { return m_input->origin[Mesh::Face_index(static_cast<Mesh::size_type>(f))]; }
 
-  // The place of a point of the working mesh on the input, near a place that is known. A walk may end at a corner that
-  // hides the rest of the surface, far from the point: only then the nearest place of all is taken.
+  // The place of a point of the working mesh on the input.
   Reference_surface::Location walk(const Point_3& p, int start) const
   {
-    const Reference_surface::Point_3 q(p.x(), p.y(), p.z());
-    const Reference_surface::Location place = m_reference->walk(q, start);
-    return squared_distance(place.point, q) <= m_largest_distance * m_largest_distance
-             ? place
-             : m_reference->locate(q, place.face);
+    return m_reference->follow(Reference_surface::Point_3(p.x(), p.y(), p.z()), start, m_largest_distance);
   }
 
   void find_curves()

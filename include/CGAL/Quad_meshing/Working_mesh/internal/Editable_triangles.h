@@ -147,8 +147,8 @@ public:
     const double error = curve_error[h];
     points.push_back(p);
     out.push_back(-1);
-    // The half of h at its source stays h; likewise for o. `far` are the other halves.
-    int far[2] = { -1, -1 };
+    // The half of h at its source stays h; likewise for o. `second` are the other halves.
+    int second[2] = { -1, -1 };
     const int side[2] = { h, o };
     for(int i = 0; i < 2; ++i)
     {
@@ -163,13 +163,13 @@ public:
       curve_error.resize(3 * corners.size());
       join(3 * n + 1, across, side_error);
       join(next(s), 3 * n + 2, -1);
-      far[i] = 3 * n;
+      second[i] = 3 * n;
       out[m] = 3 * n;
       out[t] = 3 * n + 1;
       out[c] = 3 * n + 2;
     }
-    join(h, far[1], error);
-    join(far[0], o, error);
+    join(h, second[1], error);
+    join(second[0], o, error);
     out[a] = h;
     if(o != -1)
       out[b] = o;

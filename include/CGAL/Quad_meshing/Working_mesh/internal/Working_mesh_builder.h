@@ -41,8 +41,8 @@ public:
   typedef Editable_triangles::Point_3 Point_3;
   typedef Editable_triangles::Vector_3 Vector_3;
 
-  Working_mesh_builder(const Reference_surface& input, const std::vector<char>& edge_is_feature,
-                       double target_edge_length, Any_visitor& visitor)
+  Working_mesh_builder(Reference_surface& input, const std::vector<char>& edge_is_feature, double target_edge_length,
+                       Any_visitor& visitor)
     : triangles(input.mesh(), edge_is_feature)
     , m_input(input)
     , m_shortest(shortest_edge * target_edge_length)
@@ -76,6 +76,8 @@ public:
     for(int round = 0; round < rounds_of_improvement; ++round)
       if(!collapse_below(m_shortest) || !flip() || !move())
         return false;
+    if(!refine()) // what flips and moves have made too long
+      return false;
     for(int f = 0; f < triangles.number_of_faces(); ++f)
       if(!triangles.is_removed(f))
         figures.largest_error = (std::max)(figures.largest_error, m_face_input[f].error);
@@ -95,6 +97,9 @@ private:
   // How much edges may grow from one pass over the mesh to the next. A small factor makes better triangles, a large one
   // takes fewer passes.
   static constexpr double growth = 1.4;
+  // By which factor a collapse may make the longest edge around a vertex longer where that is long already, as with the
+  // sides of needles.
+  static constexpr double tolerated_growth = 1.1;
   // A curve may not turn by more at a vertex, in radians, where it did not before: 25 degrees.
   static constexpr double largest_turn = 25 * CGAL_PI / 180;
   // More rounds than these change little.
@@ -155,14 +160,12 @@ private:
     int other = -1; // the neighbor of v on its curve, if it is on one
     if(!stays_a_surface(h, v, w) || !stays_a_curve(h, v, w, other, curve_error))
       return false;
-    const double longest = 2 * shortest;
+    double longest = 2 * shortest;
     for(int g : m_leaving)
-    {
-      const int x = triangles.target(g);
-      const double squared = squared_distance(triangles.points[x], triangles.points[w]);
-      if(squared > longest * longest && squared > triangles.vector(g).squared_length())
+      longest = (std::max)(longest, tolerated_growth * triangles.length(g));
+    for(int g : m_leaving)
+      if(squared_distance(triangles.points[triangles.target(g)], triangles.points[w]) > longest * longest)
         return false;
-    }
     if(!replace(v, triangles.points[w], w))
       return false;
     triangles.collapse(h, v);
@@ -377,7 +380,7 @@ private:
     const Point_3 p = midpoint(triangles.points[triangles.source(h)], triangles.points[triangles.target(h)]);
     const int start = input_face[triangles.source(h)];
     const int m = triangles.split(h, p);
-    input_face.push_back(m_input.walk(p, start).face);
+    input_face.push_back(m_input.follow(p, start, m_largest_curve_error).face);
     m_mark.push_back(0);
     int halved = first_new;
     for(int s : { h, o })
@@ -497,7 +500,7 @@ private:
     return total > 0 ? ORIGIN + sum / total : triangles.points[triangles.source(m_leaving.front())];
   }
 
-  const Reference_surface& m_input;
+  Reference_surface& m_input;
   const double m_shortest, m_longest, m_largest_curve_error;
   Triangle_patch::Limits m_limits;
   Stage_progress m_progress;

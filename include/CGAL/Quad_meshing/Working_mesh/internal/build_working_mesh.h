@@ -31,7 +31,7 @@ struct Working_triangles
 };
 
 // is_feature: per edge of the input
-CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(const Reference_surface& input,
+CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(Reference_surface& input,
                                                                 const std::vector<char>& is_feature,
                                                                 double target_edge_length, Any_visitor& visitor,
                                                                 Working_triangles& result);

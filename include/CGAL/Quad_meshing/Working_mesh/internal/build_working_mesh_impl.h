@@ -47,7 +47,7 @@ inline void write_working_triangles(const Working_mesh_builder& builder, Working
   }
 }
 
-CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(const Reference_surface& input,
+CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(Reference_surface& input,
                                                                 const std::vector<char>& is_feature,
                                                                 double target_edge_length, Any_visitor& visitor,
                                                                 Working_triangles& result)
