@@ -45,6 +45,7 @@
 #include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
 #include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_weights.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
