@@ -67,6 +67,7 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
+#include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>

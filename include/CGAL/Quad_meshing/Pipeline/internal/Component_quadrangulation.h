@@ -84,6 +84,28 @@ public:
       check();
   }
 
+  // Makes quads by the plans of the options. Returns whether there are any.
+  bool search(const Grid_map_search::Directions& directions)
+  {
+    Grid_map_search search(
+      m_surface, directions,
+      { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor);
+    const std::shared_ptr<const Grid_map_attempt> attempt = search.run();
+    result.field_seconds += search.figures.field_seconds;
+    result.parameterization_seconds = search.figures.parameterization_seconds;
+    result.parameterization_attempts = search.figures.parameterization_attempts;
+    result.extraction_seconds = search.figures.extraction_seconds;
+    if(attempt)
+    {
+      take(*attempt);
+      return true;
+    }
+    result.singularities = search.figures.singularities;
+    result.released_feature_share = search.figures.released_feature_share;
+    fail(search.status, search.message);
+    return false;
+  }
+
 private:
   // The weight, at full alignment, of a squared deviation from a reliable direction of curvature over the area of one
   // quad, against a squared difference between two triangles. From 0.03 to 3, directions get nearer to those of the
@@ -117,25 +139,7 @@ private:
   bool make_quads()
   {
     Grid_map_search::Directions directions;
-    if(!find_directions(directions))
-      return false;
-    Grid_map_search search(
-      m_surface, directions,
-      { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor);
-    const std::shared_ptr<const Grid_map_attempt> attempt = search.run();
-    result.field_seconds += search.figures.field_seconds;
-    result.parameterization_seconds = search.figures.parameterization_seconds;
-    result.parameterization_attempts = search.figures.parameterization_attempts;
-    result.extraction_seconds = search.figures.extraction_seconds;
-    if(attempt)
-    {
-      take(*attempt);
-      return true;
-    }
-    result.singularities = search.figures.singularities;
-    result.released_feature_share = search.figures.released_feature_share;
-    fail(search.status, search.message);
-    return false;
+    return find_directions(directions) && search(directions);
   }
 
   // Those of the user are hard, those of the surface are soft.
