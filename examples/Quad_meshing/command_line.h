@@ -50,6 +50,7 @@
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -308,6 +309,18 @@ Mesh read_mesh(const std::string& filename)
 {
   CGAL::Quad_meshing::Mesh_reading_result result;
   return read_mesh<Mesh>(filename, result);
+}
+
+// How messages name the vertices or faces of a mesh, `kind`: by their numbers in the file.
+inline std::function<std::string(std::size_t)> names_in_file(const std::string& kind,
+                                                             const CGAL::Quad_meshing::File_numbers& numbers)
+{
+  return [kind, numbers](std::size_t i)
+  {
+    const std::size_t n = numbers.file_number(i);
+    return n == CGAL::Quad_meshing::File_numbers::none ? "a " + kind + " that the file does not have"
+                                                       : kind + " " + std::to_string(n);
+  };
 }
 
 // Reads points and polygons as they are in the file.

@@ -144,7 +144,8 @@ int main(int argc, char* argv[])
                                                 QM::Cross_field_method::POLISHED };
       const QM::Cross_field_method field = fields[args.choice("field", { "representation", "greedy", "polished" })];
 
-      const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0));
+      QM::Mesh_reading_result reading;
+      const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0), reading);
       command_line::check_mesh_output(args.positional(1));
       for(const char* file : { "save-field", "json" })
         if(args.has(file))
@@ -153,6 +154,8 @@ int main(int argc, char* argv[])
         command_line::check_output(args.value<std::string>("save-uv"), { "obj" });
 
       Quadrangulation q(tm, tm.points());
+      q.options.face_name = command_line::names_in_file("face", reading.faces);
+      q.options.vertex_name = command_line::names_in_file("vertex", reading.vertices);
       q.options.target_edge_length = edge_length;
       q.options.target_number_of_quads = number_of_quads;
       q.options.sharpness_angle = sharp_angle;
@@ -186,7 +189,8 @@ int main(int argc, char* argv[])
         command_line::write_mesh(args.positional(1), q.quads().mesh);
 
       std::cout << result.message << "\n"
-                << result.quads << " quads, " << result.irregular_vertices << " irregular vertices, "
+                << command_line::count_of(result.quads, "quad", "quads") << ", "
+                << command_line::count_of(result.irregular_vertices, "irregular vertex", "irregular vertices") << ", "
                 << result.total_seconds << " s" << std::endl;
       if(!result.is_valid())
         std::cerr << "quadrangulate: " << args.positional(0)

@@ -274,16 +274,18 @@ int solve(int argc, char* argv[])
                                        .maximum_dense_integers(dense_integers)
                                        .visitor(std::ref(progress)));
 
+  auto count = [](auto n, const std::string& what)
+  { return command_line::count_of(static_cast<std::size_t>(n), what, what + "s"); };
   std::cout.precision(12);
   std::cout << QM::status_name(solution.status) << ": " << solution.message << "\n"
             << "energy " << solution.energy << ", lower bound " << solution.lower_bound << ", relaxed "
             << solution.relaxed_energy << "\n"
-            << problem.number_of_variables() << " variables, " << solution.integers << " integers, "
-            << solution.constraints << " equality constraints (" << solution.redundant_constraints.size()
+            << count(problem.number_of_variables(), "variable") << ", " << count(solution.integers, "integer") << ", "
+            << count(solution.constraints, "equality constraint") << " (" << solution.redundant_constraints.size()
             << " redundant, " << solution.conflicting_constraints.size()
-            << " conflicting); left after elimination: " << solution.free_variables << " variables, "
-            << solution.free_integers << " integers\n"
-            << solution.factorizations << " factorizations, " << solution.seconds << " s" << std::endl;
+            << " conflicting); left after elimination: " << count(solution.free_variables, "variable") << ", "
+            << count(solution.free_integers, "integer") << "\n"
+            << count(solution.factorizations, "factorization") << ", " << solution.seconds << " s" << std::endl;
   if(args.has("out") && solution.x.size() == problem.number_of_variables())
     write_solution(args.value<Text>("out"), problem, solution.x);
   if(args.has("json"))

@@ -45,6 +45,7 @@
 #include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
 #include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Layout/Layout_realization.h>
+#include <CGAL/Quad_meshing/Layout/Layout_weights.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
@@ -67,6 +68,7 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
+#include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>

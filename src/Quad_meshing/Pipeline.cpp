@@ -11,3 +11,4 @@
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_plan_impl.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/copy_components_impl.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation_impl.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/search_grid_map_impl.h>

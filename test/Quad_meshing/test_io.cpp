@@ -149,6 +149,12 @@ std::size_t number_of_components(Mesh& tm)
   return PMP::connected_components(tm, component);
 }
 
+Point_3 centroid(const Mesh& tm, std::size_t f)
+{
+  const Mesh::Halfedge_index h = tm.halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(f)));
+  return CGAL::centroid(tm.point(tm.source(h)), tm.point(tm.target(h)), tm.point(tm.target(tm.next(h))));
+}
+
 bool is_near(double a, double b) { return std::abs(a - b) < 1e-9 * (1 + std::abs(b)); }
 
 void test_formats()
@@ -777,6 +783,62 @@ void test_merging()
   assert(read_text("grid.off", off_text(test_meshes::grid(4, 4)), tm).number_of_crack_edges == 0);
 }
 
+// Cracks with vertices on one side only: the edges of the other side are split at them.
+void test_border_junctions()
+{
+  std::cout << "vertices on border edges" << std::endl;
+  Mesh tm;
+  // Two squares side by side, less than the tolerance apart, with 4 and 8 edges where they meet.
+  auto squares = [](int left, int right)
+  {
+    return test_meshes::joined(test_meshes::grid(3, left),
+                               test_meshes::translated(test_meshes::grid(2, right), { 1 + 1e-7, 0, 0 }));
+  };
+  Result result = read_text("squares.off", off_text(squares(4, 8)), tm);
+  assert(result && number_of_components(tm) == 1 && number_of_borders(tm) == 1 && result.number_of_crack_edges == 0);
+  assert(result.counts.split_border_edges == 4 && mentions(result, "split"));
+  assert(tm.number_of_faces() == 2 * 12 + 2 * 16 + 4 && tm.number_of_vertices() == 4 * 5 + 3 * 9 - 5);
+  for(std::size_t f = 0; f < result.faces.mesh_size(); ++f)
+    assert(result.faces.file_number(f) < 2 * 12 + 2 * 16 &&
+           (result.faces.file_number(f) < 2 * 12) == (centroid(tm, f).x() < 1));
+  assert(std::abs(PMP::area(tm) - 2) < 1e-6);
+
+  // Vertices of both sides lie on edges of the other one.
+  result = read_text("squares.off", off_text(squares(4, 6)), tm);
+  assert(result && number_of_components(tm) == 1 && number_of_borders(tm) == 1);
+  assert(result.counts.split_border_edges == 4 + 2 && tm.number_of_faces() == 2 * 12 + 2 * 12 + 4 + 2);
+
+  // Wider than the tolerance, or without the repair, the crack stays.
+  CGAL::Quad_meshing::Mesh_repairs repairs;
+  repairs.merging_distance = 1e-9;
+  for(const CGAL::Quad_meshing::Mesh_repairs& r : { repairs, CGAL::Quad_meshing::Mesh_repairs(false) })
+  {
+    result = CGAL::Quad_meshing::read_triangle_mesh("squares.off", tm, CGAL::parameters::repair(r));
+    assert(result && number_of_components(tm) == 2 && result.counts.split_border_edges == 0);
+    assert(result.number_of_crack_edges > 0);
+  }
+
+  // A corner that touches an edge of another surface joins nothing.
+  Soup touching = test_meshes::grid(2, 2);
+  touching.points.insert(touching.points.end(), { Point_3(1, 0.3, 0), Point_3(2, 0, 0), Point_3(2, 1, 0) });
+  touching.triangles.push_back({ { 9, 10, 11 } });
+  result = read_text("touching.off", off_text(touching), tm);
+  assert(result && result.counts.split_border_edges == 0 && tm.number_of_faces() == 9 && result.repairs.empty());
+
+  // A box with a lid of its own, that is finer.
+  Soup box = test_meshes::cube(2);
+  auto is_lid = [&](const auto& t)
+  { return box.points[t[0]].z() == 1 && box.points[t[1]].z() == 1 && box.points[t[2]].z() == 1; };
+  box.triangles.erase(std::remove_if(box.triangles.begin(), box.triangles.end(), is_lid), box.triangles.end());
+  box = test_meshes::joined(box, test_meshes::translated(test_meshes::grid(6, 6), { 0, 0, 1 }));
+  for(const char* name : { "box.off", "box.stl" })
+  {
+    result = read_text(name, name[4] == 'o' ? off_text(box) : stl_text(box), tm);
+    assert(result && CGAL::is_closed(tm) && number_of_components(tm) == 1 && is_near(PMP::volume(tm), 1));
+    assert(result.counts.split_border_edges == 8 && tm.number_of_faces() == 40 + 72 + 16);
+  }
+}
+
 // Triangles of zero area go before sheets are separated.
 void test_flat_triangles()
 {
@@ -1195,6 +1257,7 @@ int main(int argc, char** argv)
                      { "variants", test_variants },
                      { "two_sided", test_two_sided },
                      { "merging", test_merging },
+                     { "border_junctions", test_border_junctions },
                      { "flat_triangles", test_flat_triangles },
                      { "sheets", test_sheets },
                      { "numbers", test_numbers },

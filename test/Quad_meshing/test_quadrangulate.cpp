@@ -449,8 +449,12 @@ void test_double_edges()
   for(int i = 0; i < 6; ++i)
     input.points.emplace_back(i, i * i, i * i * i);
   input.triangles = { { { 4, 1, 0 } }, { { 1, 4, 2 } }, { { 4, 1, 3 } }, { { 1, 4, 5 } } };
+  QM::Quadrangulation_options options;
+  options.vertex_name = [](std::size_t i) { return "corner " + std::string(1, static_cast<char>('a' + i)); };
+  const std::string named = QM::internal::Surface_components(input, QM::internal::Element_names(options)).error;
   const std::string error = QM::internal::Surface_components(input).error;
-  std::cout << error << std::endl;
+  std::cout << error << " " << named << std::endl;
+  assert(named.find("corner b") != std::string::npos && named.find("corner e") != std::string::npos);
   assert(error.find("1") != std::string::npos && error.find("4") != std::string::npos);
   input.triangles = { { { 4, 1, 0 } }, { { 4, 1, 3 } } };
   assert(QM::internal::Surface_components(input).error.find("orientation") != std::string::npos);
@@ -473,7 +477,11 @@ void test_components()
                                        parameters::target_number_of_quads(4000.).number_of_threads(threads));
     std::cout << "noise and a ball: " << r.message << std::endl;
     assert(r.status == Status::NOT_VALID && r.components == 2 && r.failed_components == 1);
-    assert(r.message.find("face 0") != std::string::npos && r.message.find("singularities") != std::string::npos);
+    assert(r.message.find("that of face 0") != std::string::npos);
+    assert(r.invalid_components.size() == 1 && r.invalid_components[0].face == 0);
+    assert(r.invalid_components[0].status == Status::FAILED);
+    assert(r.message.find("singularities") != std::string::npos &&
+           r.invalid_components[0].message.find("singularities") != std::string::npos);
     const auto figures = quad_mesh_checks::figures(qm);
     assert(figures.is_valid() && figures.components == 1 && figures.euler() == 2);
   }

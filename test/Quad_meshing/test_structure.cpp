@@ -26,9 +26,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace QM = CGAL::Quad_meshing;
@@ -550,6 +552,55 @@ void test_global_smoothing()
   assert(std::equal(again.points().begin(), again.points().end(), all_at_once.points().begin()));
 }
 
+// A helix is minimal if no turn of one with a smaller pitch lies on its path: against all pairs of turns.
+void test_minimal_helices()
+{
+  using QM::internal::Helix_record;
+  CGAL::Random random(3);
+  int dropped = 0, kept = 0;
+  for(int trial = 0; trial < 2000; ++trial)
+  {
+    const bool closed = trial % 2 == 0;
+    const int n = random.get_int(8, 30);
+    std::vector<Helix_record> helices(random.get_int(1, 7));
+    for(Helix_record& h : helices)
+    {
+      h.line = 0;
+      h.pitch = random.get_bool() ? random.get_int(1, 5) : -random.get_int(1, 5);
+      h.turn_length = random.get_int(1, n / 2);
+      h.number_of_relations = random.get_int(1, n / 2);
+      h.start = random.get_int(0, closed ? n : n - h.turn_length - h.number_of_relations + 1);
+      h.length = h.number_of_relations - 1 + h.turn_length;
+      h.is_whole_line = closed && random.get_int(0, 8) == 0;
+    }
+    auto has_turn_on_path_of = [&](const Helix_record& a, const Helix_record& b)
+    {
+      if(a.is_whole_line)
+        return true;
+      for(int i = b.start; i < b.start + b.number_of_relations; ++i)
+        for(int at = closed ? i % n : i; at <= i + n; at += n)
+          if(at >= a.start && at + b.turn_length <= a.start + a.length)
+            return true;
+      return false;
+    };
+    std::multiset<std::pair<int, int>> expected, found; // pitch and start
+    for(const Helix_record& a : helices)
+    {
+      bool is_minimal = true;
+      for(const Helix_record& b : helices)
+        is_minimal = is_minimal && !(std::abs(b.pitch) < std::abs(a.pitch) && has_turn_on_path_of(a, b));
+      if(is_minimal)
+        expected.emplace(a.pitch, a.start);
+      ++(is_minimal ? kept : dropped);
+    }
+    QM::internal::keep_minimal_helices(helices, n, closed);
+    for(const Helix_record& h : helices)
+      found.emplace(h.pitch, h.start);
+    assert(found == expected);
+  }
+  assert(kept > 1000 && dropped > 1000);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -558,6 +609,7 @@ int main(int argc, char** argv)
                    { { "quality", test_quality },
                      { "defects", test_defects },
                      { "structure", test_structure },
+                     { "minimal_helices", test_minimal_helices },
                      { "smoothing", test_smoothing },
                      { "global_smoothing", test_global_smoothing } });
 }

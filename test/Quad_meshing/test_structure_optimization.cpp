@@ -303,7 +303,7 @@ void test_distortion()
   for(int k : { 0, 2 })
     for(const auto& s : complex.patches[0].sides[k])
       wide[s.arc] *= 2;
-  const double st = Layout_distortion::stretch_weight, si = Layout_distortion::size_weight,
+  const double st = QM::internal::Layout_weights::stretch, si = QM::internal::Layout_weights::size,
                scale = 6 * si / (st + 9 * si);
   assert(std::abs(distortion(wide) - (st * scale * scale + si * (3 * scale - 2) * (3 * scale - 2))) < 1e-9);
 

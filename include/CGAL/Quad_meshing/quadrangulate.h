@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/read_parameter.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -231,24 +232,20 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_map_t>::value)
       q.set_directions(tm, get_parameter(np, internal_np::face_direction_map));
     Quadrangulation_options& o = q.options;
-    o.target_edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length), o.target_edge_length);
-    o.target_number_of_quads =
-      choose_parameter(get_parameter(np, internal_np::target_number_of_quads), o.target_number_of_quads);
-    o.sharpness_angle = choose_parameter(get_parameter(np, internal_np::sharpness_angle), o.sharpness_angle);
-    o.align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), o.align_boundary);
-    o.cross_field_method = choose_parameter(get_parameter(np, internal_np::cross_field_method), o.cross_field_method);
-    o.curvature_alignment =
-      choose_parameter(get_parameter(np, internal_np::curvature_alignment), o.curvature_alignment);
-    o.work_on_input = choose_parameter(get_parameter(np, internal_np::work_on_input), o.work_on_input);
-    o.rounding_method = choose_parameter(get_parameter(np, internal_np::rounding_method), o.rounding_method);
-    o.anisotropy_weight = choose_parameter(get_parameter(np, internal_np::anisotropy_weight), o.anisotropy_weight);
-    o.optimize_structure = choose_parameter(get_parameter(np, internal_np::optimize_structure), o.optimize_structure);
-    o.number_of_threads = choose_parameter(get_parameter(np, internal_np::number_of_threads), o.number_of_threads);
-    o.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), o.random_seed);
-    o.smoothing_iterations =
-      choose_parameter(get_parameter(np, internal_np::smoothing_iterations), o.smoothing_iterations);
-    o.maximum_running_time =
-      choose_parameter(get_parameter(np, internal_np::maximum_running_time), o.maximum_running_time);
+    internal::read_parameter(np, internal_np::target_edge_length, o.target_edge_length);
+    internal::read_parameter(np, internal_np::target_number_of_quads, o.target_number_of_quads);
+    internal::read_parameter(np, internal_np::sharpness_angle, o.sharpness_angle);
+    internal::read_parameter(np, internal_np::align_boundary, o.align_boundary);
+    internal::read_parameter(np, internal_np::cross_field_method, o.cross_field_method);
+    internal::read_parameter(np, internal_np::curvature_alignment, o.curvature_alignment);
+    internal::read_parameter(np, internal_np::work_on_input, o.work_on_input);
+    internal::read_parameter(np, internal_np::rounding_method, o.rounding_method);
+    internal::read_parameter(np, internal_np::anisotropy_weight, o.anisotropy_weight);
+    internal::read_parameter(np, internal_np::optimize_structure, o.optimize_structure);
+    internal::read_parameter(np, internal_np::number_of_threads, o.number_of_threads);
+    internal::read_parameter(np, internal_np::random_seed, o.random_seed);
+    internal::read_parameter(np, internal_np::smoothing_iterations, o.smoothing_iterations);
+    internal::read_parameter(np, internal_np::maximum_running_time, o.maximum_running_time);
     result = q.run(visitor);
 
     std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor>> copies;

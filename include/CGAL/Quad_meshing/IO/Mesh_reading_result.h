@@ -68,12 +68,13 @@ struct Mesh_repairs
   /// Vertices without a face are dropped; else they become isolated vertices of the mesh.
   bool drop_unused_vertices = true;
 
-  /// Borders of faces that lie at the same place are joined, and sides of faces without length vanish.
+  /// Borders of faces that lie at the same place are joined, and sides of faces without length vanish. A border edge
+  /// on which vertices of the border lie is split there, if that joins it to the edges between those vertices.
   bool merge_vertices = true;
 
-  /// The largest distance of two vertices at the border that are taken for one, as a share of the diagonal of the
-  /// bounding box. It is never more than a tenth of the shortest side of a face at either of the two; vertices at
-  /// exactly one place are merged whatever it is.
+  /// The largest distance of two vertices at the border that are taken for one, and of a vertex and an edge it is taken
+  /// to lie on, as a share of the diagonal of the bounding box. It is never more than a tenth of the shortest side of a
+  /// face at either of the two; vertices at exactly one place are merged whatever it is.
   double merging_distance = 1e-6;
 
   /// Faces with fewer than three distinct vertices are dropped, and of faces that are there more than once, in the same
@@ -179,6 +180,8 @@ struct Mesh_repair_counts
   std::size_t unused_vertices = 0;
   /// vertices of the file that became one with another vertex
   std::size_t merged_vertices = 0;
+  /// border edges that were split at vertices of the border, to close cracks
+  std::size_t split_border_edges = 0;
   /// faces of the file with fewer than three distinct vertices, which were dropped
   std::size_t shapeless_faces = 0;
   /// faces of the file that are there already, in the same direction or as the other side, which were dropped

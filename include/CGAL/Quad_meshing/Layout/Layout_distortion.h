@@ -36,8 +36,6 @@ namespace internal {
 class Layout_distortion
 {
 public:
-  // Weights of stretch, of the change in size, and of rotation, against that of shear.
-  static constexpr double stretch_weight = 0.25, size_weight = 0.05, rotation_weight = 0.1;
   // What is added to the diagonal, relative to a weight: a component without irregular vertices may move as a whole.
   static constexpr double regularization = 1e-8;
 

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_LAYOUT_LAYOUT_QUANTIZATION_H
 
 #include <CGAL/Quad_meshing/Layout/Arc_subdivision.h>
+#include <CGAL/Quad_meshing/Layout/Layout_weights.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
@@ -40,8 +41,6 @@ class Layout_quantization
 public:
   // Number of paths that are tried before an arc is left as it is.
   static constexpr int repairs = 12;
-  // Least cost of an arc in the search, so that every path costs something.
-  static constexpr double least_cost = 0.05;
 
   std::vector<int> length; // per arc
 
@@ -259,7 +258,7 @@ private:
       {
         if(forbidden[s.arc])
           continue;
-        const double d = item.first + crossing + (std::max)(least_cost, price(s.arc, by));
+        const double d = item.first + crossing + (std::max)(Layout_weights::least_arc, price(s.arc, by));
         // the rectangle lies on the left of the arc if the side runs along it
         const int next = 2 * s.arc + (s.forward ? 1 : 0);
         if(d < m_distance[next])

@@ -32,7 +32,7 @@ class Layout_realization
   typedef Motorcycle_complex::Patch Patch;
   typedef Motorcycle_complex::Piece Piece;
 
-  const Indexed_quad_mesh& m;
+  const Indexed_quad_mesh& m_mesh;
   const Motorcycle_complex& m_complex;
   const std::vector<int>& m_length;
   Arc_subdivision m_subdivision;
@@ -54,7 +54,7 @@ public:
   // `length` must live as long as the object.
   Layout_realization(const Indexed_quad_mesh& input, const Layout_quantization& quantization,
                      const std::vector<int>& length, const std::vector<char>& is_fixed, Kind kind = GEOMETRY)
-    : m(input)
+    : m_mesh(input)
     , m_complex(quantization.complex())
     , m_length(length)
     , m_subdivision(quantization.subdivision(length))
@@ -73,7 +73,7 @@ public:
         const Motorcycle_complex::Arc& arc = m_complex.arcs[a];
         const int e = m_subdivision.edges.smallest(m_subdivision.edge(static_cast<int>(a), i)), h = side_of_edge[e];
         is_border[e] |= arc.is_border;
-        if(h != -1 && m.is_feature[arc.halfedges.front()])
+        if(h != -1 && m_mesh.is_feature[arc.halfedges.front()])
           mesh.is_feature[h] = 1;
       }
     for(int e = 0; e < m_subdivision.number_of_edges(); ++e)
@@ -94,7 +94,7 @@ private:
   {
     const std::vector<int>& halfedges = m_complex.arcs[arc].halfedges;
     const int i = (std::min)(static_cast<int>(t), static_cast<int>(halfedges.size()) - 1);
-    const Point_3 &p = m.points[m.source(halfedges[i])], &q = m.points[m.target(halfedges[i])];
+    const Point_3 &p = m_mesh.points[m_mesh.source(halfedges[i])], &q = m_mesh.points[m_mesh.target(halfedges[i])];
     return p + (t - i) * (q - p);
   }
 
@@ -126,8 +126,8 @@ private:
       const int v = nodes[i];
       const int w = is_fixed[v]                                 ? 4
                     : rules.on_feature[v] || rules.on_border[v] ? 2 + rules.is_special[v]
-                                                                : is_irregular(m, v);
-      add(static_cast<int>(i), w, m.points[v], v);
+                                                                : is_irregular(m_mesh, v);
+      add(static_cast<int>(i), w, m_mesh.points[v], v);
     }
     for(std::size_t a = 0; a < m_length.size() && m_kind == GEOMETRY; ++a)
       for(int i = 1; i < m_length[a]; ++i)
@@ -244,7 +244,7 @@ private:
     const int i = (std::min)((std::max)(static_cast<int>(u), 0), p.width - 1);
     const int j = (std::min)((std::max)(static_cast<int>(v), 0), p.height - 1);
     const double s = u - i, t = v - j;
-    auto at = [&](int a, int b) { return m.points[p.vertices[a + b * (p.width + 1)]] - ORIGIN; };
+    auto at = [&](int a, int b) { return m_mesh.points[p.vertices[a + b * (p.width + 1)]] - ORIGIN; };
     return ORIGIN + (1 - s) * (1 - t) * at(i, j) + s * (1 - t) * at(i + 1, j) + (1 - s) * t * at(i, j + 1) +
            s * t * at(i + 1, j + 1);
   }

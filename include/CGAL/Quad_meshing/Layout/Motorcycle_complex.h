@@ -62,28 +62,28 @@ struct Motorcycle_complex
   bool is_valid = true; // whether all patches are rectangles
 
   Motorcycle_complex(const Indexed_quad_mesh& mesh, const std::vector<char>& is_fixed)
-    : m(mesh)
+    : m_mesh(mesh)
     , m_rules(make_quad_vertex_rules(mesh, false))
     , m_wall(mesh.number_of_halfedges(), 0)
     , m_visited(mesh.number_of_vertices(), 0)
     , m_is_node(mesh.number_of_vertices(), 0)
   {
-    for(int h = 0; h < m.number_of_halfedges(); ++h)
-      if(m.is_border(h) || m.is_feature[h])
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if(m_mesh.is_border(h) || m_mesh.is_feature[h])
         build_wall(h);
     std::vector<int> motorcycles;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
-      if(m.halfedge_of_vertex[v] != -1 && (m_rules.is_special[v] || is_fixed[v] || is_turn(v)))
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(m_mesh.halfedge_of_vertex[v] != -1 && (m_rules.is_special[v] || is_fixed[v] || is_turn(v)))
         start(v, motorcycles);
     ride(motorcycles);
 
     // rings have no corners until they are cut open
     std::vector<int> bad = find_patches();
-    for(int round = 0; !bad.empty() && round < m.number_of_faces(); ++round)
+    for(int round = 0; !bad.empty() && round < m_mesh.number_of_faces(); ++round)
     {
       motorcycles.clear();
       for(int h : bad)
-        start(m.source(h), motorcycles);
+        start(m_mesh.source(h), motorcycles);
       if(motorcycles.empty())
         break;
       ride(motorcycles);
@@ -101,26 +101,26 @@ private:
   void build_wall(int h)
   {
     m_wall[h] = 1;
-    if(!m.is_border(h))
-      m_wall[m.opposite[h]] = 1;
-    m_visited[m.source(h)] = m_visited[m.target(h)] = 1;
+    if(!m_mesh.is_border(h))
+      m_wall[m_mesh.opposite[h]] = 1;
+    m_visited[m_mesh.source(h)] = m_visited[m_mesh.target(h)] = 1;
   }
 
   // Whether walls meet in an inner regular vertex otherwise than crossing, touching or passing straight:
   // then a region around it has a reflex corner.
   bool is_turn(int v) const
   {
-    if(!m_visited[v] || m.is_border_vertex(v))
+    if(!m_visited[v] || m_mesh.is_border_vertex(v))
       return false;
     int degree = 0;
     bool straight = false;
-    const int first = m.halfedge_of_vertex[v];
+    const int first = m_mesh.halfedge_of_vertex[v];
     int h = first;
     do
     {
       degree += m_wall[h];
-      straight = straight || (m_wall[h] && m_wall[m.next_around_source(m.next_around_source(h))]);
-      h = m.next_around_source(h);
+      straight = straight || (m_wall[h] && m_wall[m_mesh.next_around_source(m_mesh.next_around_source(h))]);
+      h = m_mesh.next_around_source(h);
     }
     while(h != first);
     return degree == 1 || (degree == 2 && !straight);
@@ -130,13 +130,13 @@ private:
   void start(int v, std::vector<int>& motorcycles)
   {
     m_visited[v] = m_is_node[v] = 1;
-    const int first = m.halfedge_of_vertex[v];
+    const int first = m_mesh.halfedge_of_vertex[v];
     int h = first;
     do
     {
       if(!m_wall[h])
         motorcycles.push_back(h);
-      h = m.next_around_source(h);
+      h = m_mesh.next_around_source(h);
     }
     while(h != -1 && h != first);
   }
@@ -151,10 +151,10 @@ private:
       {
         if(m_wall[h])
           continue; // another one has come the other way
-        const bool ends = m_visited[m.target(h)] != 0;
+        const bool ends = m_visited[m_mesh.target(h)] != 0;
         build_wall(h);
         if(!ends)
-          going_on.push_back(m.next(m.opposite[m.next(h)]));
+          going_on.push_back(m_mesh.next(m_mesh.opposite[m_mesh.next(h)]));
       }
     }
   }
@@ -162,8 +162,8 @@ private:
   // The edge that follows a wall edge on the same side of a rectangle, -1 at the corner.
   int next_on_side(int h) const
   {
-    const int n = m.next(h);
-    return m_wall[n] ? -1 : m.next(m.opposite[n]);
+    const int n = m_mesh.next(h);
+    return m_wall[n] ? -1 : m_mesh.next(m_mesh.opposite[n]);
   }
 
   // Finds the rectangles; a halfedge of each region that is not one, on a wall if it has walls.
@@ -171,8 +171,8 @@ private:
   {
     patches.clear();
     std::vector<int> bad, region;
-    std::vector<char> seen(m.number_of_faces(), 0);
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    std::vector<char> seen(m_mesh.number_of_faces(), 0);
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
       if(seen[f])
         continue;
@@ -184,16 +184,16 @@ private:
           if(m_wall[h])
           {
             wall = wall == -1 ? h : wall;
-            if(m_wall[m.prev(h)])
+            if(m_wall[m_mesh.prev(h)])
             {
               corner = corner == -1 ? h : corner;
               ++corners;
             }
           }
-          else if(!seen[m.opposite[h] / 4])
+          else if(!seen[m_mesh.opposite[h] / 4])
           {
-            seen[m.opposite[h] / 4] = 1;
-            region.push_back(m.opposite[h] / 4);
+            seen[m_mesh.opposite[h] / 4] = 1;
+            region.push_back(m_mesh.opposite[h] / 4);
           }
       Patch p;
       if(corners == 4 && fill_patch(corner, static_cast<int>(region.size()), p))
@@ -216,7 +216,7 @@ private:
       for(int ahead; (ahead = next_on_side(h)) != -1; h = ahead)
         if(!m_wall[ahead] || ++length[k] > number_of_faces)
           return false;
-      h = m.next(h);
+      h = m_mesh.next(h);
     }
     p.width = length[0];
     p.height = length[1];
@@ -230,15 +230,15 @@ private:
       int g = row;
       for(int i = 0; i < p.width; ++i)
       {
-        p.vertices[i + j * (p.width + 1)] = m.source(g);
-        p.vertices[i + 1 + j * (p.width + 1)] = m.target(g);
-        p.vertices[i + 1 + (j + 1) * (p.width + 1)] = m.target(m.next(g));
-        p.vertices[i + (j + 1) * (p.width + 1)] = m.source(m.prev(g));
+        p.vertices[i + j * (p.width + 1)] = m_mesh.source(g);
+        p.vertices[i + 1 + j * (p.width + 1)] = m_mesh.target(g);
+        p.vertices[i + 1 + (j + 1) * (p.width + 1)] = m_mesh.target(m_mesh.next(g));
+        p.vertices[i + (j + 1) * (p.width + 1)] = m_mesh.source(m_mesh.prev(g));
         if(i + 1 < p.width)
-          g = m.next(m.opposite[m.next(g)]);
+          g = m_mesh.next(m_mesh.opposite[m_mesh.next(g)]);
       }
       if(j + 1 < p.height)
-        row = m.opposite[m.across(row)];
+        row = m_mesh.opposite[m_mesh.across(row)];
     }
     return true;
   }
@@ -246,42 +246,42 @@ private:
   // Nodes are where walls end, turn, touch or cross, where motorcycles start, and where features on the border end.
   void find_arcs()
   {
-    std::vector<int> degree(m.number_of_vertices(), 0);
-    for(int h = 0; h < m.number_of_halfedges(); ++h)
+    std::vector<int> degree(m_mesh.number_of_vertices(), 0);
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if(m_wall[h])
       {
-        if(m.edge(h) == h)
+        if(m_mesh.edge(h) == h)
         {
-          ++degree[m.source(h)];
-          ++degree[m.target(h)];
+          ++degree[m_mesh.source(h)];
+          ++degree[m_mesh.target(h)];
         }
         const int ahead = next_on_side(h);
         if(ahead == -1)
-          m_is_node[m.target(h)] = 1; // a corner
-        else if(m.is_border(h) && m.is_feature[h] != m.is_feature[ahead])
-          m_is_node[m.target(h)] = 1;
+          m_is_node[m_mesh.target(h)] = 1; // a corner
+        else if(m_mesh.is_border(h) && m_mesh.is_feature[h] != m_mesh.is_feature[ahead])
+          m_is_node[m_mesh.target(h)] = 1;
       }
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(degree[v] > 2)
         m_is_node[v] = 1;
 
-    m_arc.assign(m.number_of_halfedges(), -1);
-    for(int h = 0; h < m.number_of_halfedges(); ++h)
-      if(m_wall[h] && m_arc[h] == -1 && m_is_node[m.source(h)])
+    m_arc.assign(m_mesh.number_of_halfedges(), -1);
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if(m_wall[h] && m_arc[h] == -1 && m_is_node[m_mesh.source(h)])
       {
         Arc a;
         for(int g = h;; g = next_on_side(g))
         {
           m_arc[g] = static_cast<int>(arcs.size());
-          if(!m.is_border(g))
-            m_arc[m.opposite[g]] = static_cast<int>(arcs.size());
+          if(!m_mesh.is_border(g))
+            m_arc[m_mesh.opposite[g]] = static_cast<int>(arcs.size());
           a.halfedges.push_back(g);
-          if(m_is_node[m.target(g)])
+          if(m_is_node[m_mesh.target(g)])
             break;
         }
-        a.nodes = { { m.source(h), m.target(a.halfedges.back()) } };
-        a.is_border = m.is_border(h);
-        a.is_feature = m.is_feature[h] && !a.is_border;
+        a.nodes = { { m_mesh.source(h), m_mesh.target(a.halfedges.back()) } };
+        a.is_border = m_mesh.is_border(h);
+        a.is_feature = m_mesh.is_feature[h] && !a.is_border;
         arcs.push_back(std::move(a));
       }
   }
@@ -293,7 +293,7 @@ private:
       {
         std::vector<Piece> pieces;
         for(int h = patches[p].sides[k][0].arc; h != -1; h = next_on_side(h))
-          if(m_is_node[m.source(h)])
+          if(m_is_node[m_mesh.source(h)])
           {
             Arc& a = arcs[m_arc[h]];
             const bool forward = a.halfedges.front() == h;
@@ -305,7 +305,7 @@ private:
       }
   }
 
-  const Indexed_quad_mesh& m;
+  const Indexed_quad_mesh& m_mesh;
   Quad_vertex_rules m_rules;
   std::vector<char> m_wall;               // per halfedge
   std::vector<char> m_visited, m_is_node; // per vertex

@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/read_parameter.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -182,12 +183,9 @@ private:
     };
 
     internal::Grid_map_options options;
-    options.anisotropy_weight =
-      choose_parameter(get_parameter(np, internal_np::anisotropy_weight), options.anisotropy_weight);
-    options.number_of_threads =
-      choose_parameter(get_parameter(np, internal_np::number_of_threads), options.number_of_threads);
-    options.stiffening_iterations =
-      choose_parameter(get_parameter(np, internal_np::stiffening_iterations), options.stiffening_iterations);
+    internal::read_parameter(np, internal_np::anisotropy_weight, options.anisotropy_weight);
+    internal::read_parameter(np, internal_np::number_of_threads, options.number_of_threads);
+    internal::read_parameter(np, internal_np::stiffening_iterations, options.stiffening_iterations);
     const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
     auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                            Static_boolean_property_map<edge_descriptor, false>());

@@ -13,7 +13,10 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Pipeline/Grid_map_plan.h>
 
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +49,14 @@ struct Quadrangulation_options
   double maximum_running_time = (std::numeric_limits<double>::infinity)();
   /// What is tried, in this order, until a map is without fold-overs and the mesh as asked for.
   std::vector<Grid_map_plan_rule> plans = default_grid_map_plans();
+
+  /// \name Names of Elements
+  /// What messages call the face or the vertex of a number of the input, which counts from 0 in the order of the
+  /// iterators. A program that has read the input from a file gives the numbers of the file here (`File_numbers`).
+  /// @{
+  std::function<std::string(std::size_t)> face_name;   ///< empty: `face 7`
+  std::function<std::string(std::size_t)> vertex_name; ///< empty: `vertex 7`
+  /// @}
 };
 
 } // namespace Quad_meshing

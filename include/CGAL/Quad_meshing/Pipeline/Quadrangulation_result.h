@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -46,6 +47,18 @@ inline const char* status_name(Quadrangulation_status status)
 /*!
 \ingroup PkgQuadMeshingRef
 
+\brief A component that has no valid quad mesh, and why.
+*/
+struct Invalid_component
+{
+  std::size_t face = 0; ///< the first of its faces, in the numbers of the input
+  Quadrangulation_status status = Quadrangulation_status::FAILED; ///< how its quadrangulation ended
+  std::string message;                                            ///< as a sentence
+};
+
+/*!
+\ingroup PkgQuadMeshingRef
+
 \brief The answer of `quadrangulate()`: what became of the mesh, and the figures of all stages.
 
 Figures of stages are sums over the components, and those of the attempts that were taken; times are those of all
@@ -60,7 +73,9 @@ struct Quadrangulation_result
   std::size_t input_faces = 0;
   std::size_t components = 0;
   std::size_t failed_components = 0; ///< of which there is no mesh
-  std::size_t divided_vertices = 0;  ///< vertices in which borders touch; each fan of triangles has one of its own
+  /// Those that have no mesh or one that is not valid; the message names the first of them.
+  std::vector<Invalid_component> invalid_components;
+  std::size_t divided_vertices = 0; ///< vertices in which borders touch; each fan of triangles has one of its own
 
   /// The edge length that was used, in the unit of the points; that of the largest component, if it differs between
   /// them.

@@ -11,14 +11,17 @@
 
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Triangle_input.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/quad_counts.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -33,11 +36,25 @@ namespace Quad_meshing {
 struct Component_copies
 {
   std::vector<std::unique_ptr<Quadrangulation_surface>> surfaces; ///< one per component
+  std::vector<double> areas;                                      ///< of the surfaces
   std::size_t divided_vertices = 0; ///< vertices in which borders touch; each fan of triangles has one of its own
   std::string message; ///< what keeps the triangles from being a surface, as a sentence; empty if nothing does
 
   /// returns whether there is a surface.
   bool is_valid() const { return message.empty(); }
+
+  /// returns the length of the edges of quads of which so many have the area of all components.
+  double edge_length(double number_of_quads) const
+  {
+    return std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) / number_of_quads);
+  }
+
+  /// returns the length of quad edges in component `i` when edges of the given length are asked for: shorter if there
+  /// are several components, and this one has no room for two dozens of such quads.
+  double edge_length_in(std::size_t i, double length) const
+  {
+    return internal::edge_length_of_component(areas[i], length, areas.size());
+  }
 };
 
 namespace internal {

@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_reference.h>
+#include <CGAL/Quad_meshing/internal/read_parameter.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -37,10 +38,8 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
   Smoothing_options options;
-  options.iterations =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::smoothing_iterations), options.iterations);
-  options.globally =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::smooth_globally), options.globally);
+  read_parameter(np, internal_np::smoothing_iterations, options.iterations);
+  read_parameter(np, internal_np::smooth_globally, options.globally);
   return work_on_quad_mesh_copy<Quad_mesh_smoothing_result>(
     qm, np, make_reference,
     [&](auto& copy, const std::vector<char>& is_fixed, Smoothing_reference& reference, Any_visitor& visitor, auto vpm,

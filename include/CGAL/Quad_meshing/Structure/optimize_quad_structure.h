@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_reference.h>
+#include <CGAL/Quad_meshing/internal/read_parameter.h>
 #include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -35,24 +36,17 @@ template <typename QuadMesh, typename NamedParameters, typename MakeReference>
 Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np,
                                                                 const MakeReference& make_reference)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   typedef Quad_structure_optimization_result Result;
 
   Structure_options options;
-  options.method = choose_parameter(get_parameter(np, internal_np::structure_method), options.method);
-  options.merge_singularities =
-    choose_parameter(get_parameter(np, internal_np::merge_singularities), options.merge_singularities);
-  options.collapse_dual_curves =
-    choose_parameter(get_parameter(np, internal_np::collapse_dual_curves), options.collapse_dual_curves);
-  options.target_quads = choose_parameter(get_parameter(np, internal_np::target_number_of_quads), options.target_quads);
-  options.target_patches =
-    choose_parameter(get_parameter(np, internal_np::target_number_of_patches), options.target_patches);
-  options.layouts = choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.layouts);
-  options.smoothing_iterations =
-    choose_parameter(get_parameter(np, internal_np::smoothing_iterations), options.smoothing_iterations);
-  options.maximum_running_time =
-    choose_parameter(get_parameter(np, internal_np::maximum_running_time), options.maximum_running_time);
+  read_parameter(np, internal_np::structure_method, options.method);
+  read_parameter(np, internal_np::merge_singularities, options.merge_singularities);
+  read_parameter(np, internal_np::collapse_dual_curves, options.collapse_dual_curves);
+  read_parameter(np, internal_np::target_number_of_quads, options.target_quads);
+  read_parameter(np, internal_np::target_number_of_patches, options.target_patches);
+  read_parameter(np, internal_np::number_of_iterations, options.layouts);
+  read_parameter(np, internal_np::smoothing_iterations, options.smoothing_iterations);
+  read_parameter(np, internal_np::maximum_running_time, options.maximum_running_time);
 
   return work_on_quad_mesh_copy<Result>(qm, np, make_reference,
                                         [&](const auto& copy, const std::vector<char>& is_fixed,

@@ -80,6 +80,13 @@ inline std::string count_of(std::size_t n, const std::string& singular, const st
   return std::to_string(n) + " " + (n == 1 ? singular : plural);
 }
 
+// What is wrong with a face that names vertex v of nv.
+inline std::string names_missing_vertex(long long v, std::size_t nv)
+{
+  return " names vertex " + std::to_string(v) + ", but there are only " + count_of(nv, "vertex", "vertices") +
+         " (numbers count from 0)";
+}
+
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL

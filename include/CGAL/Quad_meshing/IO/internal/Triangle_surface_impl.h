@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_IO_INTERNAL_TRIANGLE_SURFACE_IMPL_H
 #define CGAL_QUAD_MESHING_IO_INTERNAL_TRIANGLE_SURFACE_IMPL_H
 
+#include <CGAL/Quad_meshing/IO/internal/Border_junctions.h>
 #include <CGAL/Quad_meshing/IO/internal/Copied_triangles.h>
 #include <CGAL/Quad_meshing/IO/internal/Sheets.h>
 #include <CGAL/Quad_meshing/IO/internal/Soup_places.h>
@@ -77,6 +78,8 @@ public:
     group_sides();
     if(m_repairs.drop_copies && may_have_copies())
       drop_copies();
+    if(m_repairs.merge_vertices)
+      split_border_sides();
     Sheets sheets(m_triangles, m_repairs);
     if(!sheets(m_diagonals, *m_groups, m_result))
       return false;
@@ -301,6 +304,16 @@ private:
     group_sides();
   }
 
+  void split_border_sides()
+  {
+    Border_junctions junctions(m_triangles, m_repairs.merging_distance * m_size.diagonal);
+    if(!junctions(*m_groups))
+      return;
+    m_result.counts.split_border_edges = junctions.number_split;
+    m_diagonals.clear(); // sides have other numbers now
+    group_sides();
+  }
+
   bool flatten()
   {
     Flat_triangles flat(m_triangles, m_is_flat);
@@ -328,7 +341,8 @@ private:
                       count_of(vertices.number_split, "vertex", "vertices") + " at which the surface touches itself.");
     m_vertex_of = vertices.vertex_of();
     m_origin = vertices.origin();
-    if(joins_places || counts.separated_edges > 0 || counts.triangulated_polygons > 0 || counts.flattened_faces > 0)
+    if(joins_places || counts.separated_edges > 0 || counts.triangulated_polygons > 0 || counts.flattened_faces > 0 ||
+       counts.split_border_edges > 0)
       vertices.separate_double_edges();
 
     if(m_triangles.place.empty())
@@ -436,6 +450,8 @@ private:
     const Mesh_repair_counts& c = m_result.counts;
     say(c.unused_vertices, "vertex", "vertices", " without a face", "dropped");
     say(c.merged_vertices, "vertex", "vertices", " at the place of another one", "merged with it");
+    say(c.split_border_edges, "border edge", "border edges", " on which other vertices of the border lie",
+        "split there");
     say(c.shapeless_faces, "face", "faces", " with fewer than three distinct vertices", "dropped");
     say(c.copied_faces - c.other_sides, "face", "faces", " equal to another one", "dropped");
     say(c.other_sides, "face", "faces",

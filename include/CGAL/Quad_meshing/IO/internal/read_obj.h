@@ -102,9 +102,7 @@ inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup
       if(soup.corners[c] < nv)
         continue;
       const long long v = soup.corners[c] == no_index ? soup.impossible_index : static_cast<long long>(soup.corners[c]);
-      return in.fail_at(line_of_obj_face(text, f),
-                        "face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but there are only " +
-                          count_of(nv, "vertex", "vertices") + " (numbers count from 0)",
+      return in.fail_at(line_of_obj_face(text, f), "face " + std::to_string(f) + names_missing_vertex(v, nv),
                         Mesh_reading_status::INVALID_INDEX);
     }
 }

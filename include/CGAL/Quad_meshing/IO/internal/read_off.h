@@ -68,9 +68,7 @@ inline bool check_off_counts(Text_scanner& in, long long nv, long long nf, std::
 
 inline void fail_on_index(Text_scanner& in, std::size_t f, long long v, std::size_t nv)
 {
-  in.fail("face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but there are only " +
-            count_of(nv, "vertex", "vertices") + " (numbers count from 0)",
-          Mesh_reading_status::INVALID_INDEX);
+  in.fail("face " + std::to_string(f) + names_missing_vertex(v, nv), Mesh_reading_status::INVALID_INDEX);
 }
 
 inline bool check_point(Text_scanner& in, const Polygon_soup::Point& p, std::size_t v)

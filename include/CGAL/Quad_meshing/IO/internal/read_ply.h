@@ -301,9 +301,9 @@ private:
         if(element.name == "vertex")
           read_vertex(element, values);
         else if(element.name == "face")
-          read_face(element, values);
+          read_face(element, i, values);
         else if(element.name == "tristrips")
-          read_strips(element, values);
+          read_strips(element, i, values);
         else
           for(const Ply_property& property : element.properties)
             skip(property, values);
@@ -347,58 +347,57 @@ private:
     m_soup.points.push_back(p);
   }
 
-  template <typename Values>
-  void read_face(const Ply_element& element, Values& values)
+  // Reads the element of number i and calls f(v) for the vertices that its list names.
+  template <typename Values, typename Function>
+  void read_list(const Ply_element& element, std::size_t i, Values& values, Function f)
   {
     const std::size_t list = vertex_list(element);
-    for(std::size_t i = 0; i < element.properties.size(); ++i)
+    for(std::size_t p = 0; p < element.properties.size(); ++p)
     {
-      if(i != list)
+      const Ply_property& property = element.properties[p];
+      if(p != list)
       {
-        skip(element.properties[i], values);
+        skip(property, values);
         continue;
       }
-      const long long n = values.integer(element.properties[i].count_type);
+      const long long n = values.integer(property.count_type);
       if(n < 0)
-        m_in.fail("face " + std::to_string(m_soup.size()) + " has " + std::to_string(n) + " vertices");
+        m_in.fail(element.name + " " + std::to_string(i) + " has " + std::to_string(n) + " vertices");
       for(long long k = 0; k < n && !values.failed(); ++k)
-        m_soup.add_corner(values.integer(element.properties[i].type));
+        f(values.integer(property.type));
     }
+  }
+
+  template <typename Values>
+  void read_face(const Ply_element& element, std::size_t i, Values& values)
+  {
+    read_list(element, i, values, [&](long long v) { m_soup.add_corner(v); });
     m_soup.end_polygon();
   }
 
   // A strip a b c d ... is the triangles abc, cbd, ...; -1 begins a new one.
   template <typename Values>
-  void read_strips(const Ply_element& element, Values& values)
+  void read_strips(const Ply_element& element, std::size_t i, Values& values)
   {
-    const std::size_t list = vertex_list(element);
-    for(std::size_t i = 0; i < element.properties.size(); ++i)
-    {
-      if(i != list)
-      {
-        skip(element.properties[i], values);
-        continue;
-      }
-      const long long n = values.integer(element.properties[i].count_type);
-      std::array<long long, 2> last = { { -1, -1 } };
-      std::size_t length = 0;
-      for(long long k = 0; k < n && !values.failed(); ++k)
-      {
-        const long long v = values.integer(element.properties[i].type);
-        const bool is_break = v == -1 || (v == 0xFFFFFFFFll && element.properties[i].type == Ply_type::UINT32);
-        length = is_break ? 0 : length + 1;
-        // Repeated vertices turn a corner of the strip without a triangle.
-        if(length >= 3 && v != last[0] && v != last[1] && last[0] != last[1])
-        {
-          const bool is_odd = length % 2 == 0;
-          m_soup.add_corner(last[is_odd ? 1 : 0]);
-          m_soup.add_corner(last[is_odd ? 0 : 1]);
-          m_soup.add_corner(v);
-          m_soup.end_polygon();
-        }
-        last = { { last[1], v } };
-      }
-    }
+    const bool is_unsigned = element.properties[vertex_list(element)].type == Ply_type::UINT32;
+    std::array<long long, 2> last = { { -1, -1 } };
+    std::size_t length = 0;
+    read_list(element, i, values,
+              [&](long long v)
+              {
+                const bool is_break = v == -1 || (v == 0xFFFFFFFFll && is_unsigned);
+                length = is_break ? 0 : length + 1;
+                // Repeated vertices turn a corner of the strip without a triangle.
+                if(length >= 3 && v != last[0] && v != last[1] && last[0] != last[1])
+                {
+                  const bool is_odd = length % 2 == 0;
+                  m_soup.add_corner(last[is_odd ? 1 : 0]);
+                  m_soup.add_corner(last[is_odd ? 0 : 1]);
+                  m_soup.add_corner(v);
+                  m_soup.end_polygon();
+                }
+                last = { { last[1], v } };
+              });
   }
 };
 
@@ -411,10 +410,10 @@ inline void read_ply(Text_scanner& in, std::string_view text, Polygon_soup& soup
     for(std::size_t c = soup.first_corner[f]; c < soup.first_corner[f + 1]; ++c)
       if(soup.corners[c] >= soup.points.size())
         return in.fail_without_line(
-          "Face " + std::to_string(f) + " names vertex " +
-            std::to_string(c == soup.impossible_corner ? soup.impossible_index
-                                                       : static_cast<long long>(soup.corners[c])) +
-            ", but there are only " + count_of(soup.points.size(), "vertex", "vertices") + " (numbers count from 0)",
+          "Face " + std::to_string(f) +
+            names_missing_vertex(
+              c == soup.impossible_corner ? soup.impossible_index : static_cast<long long>(soup.corners[c]),
+              soup.points.size()),
           Mesh_reading_status::INVALID_INDEX);
 }
 

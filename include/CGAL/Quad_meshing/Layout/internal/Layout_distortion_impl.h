@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_LAYOUT_INTERNAL_LAYOUT_DISTORTION_IMPL_H
 
 #include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Layout_weights.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/internal/Dual_lines.h>
@@ -34,7 +35,7 @@ struct Layout_distortion::Form
 {
   Form(const Indexed_quad_mesh& mesh, const Motorcycle_complex& complex, const Quad_vertex_rules& rules,
        const std::vector<char>& is_fixed, Any_visitor& visitor)
-    : m(mesh), m_complex(complex)
+    : m_mesh(mesh), m_complex(complex)
   {
     number_unknowns(rules, is_fixed);
     const int n = m_number_of_unknowns, arcs = static_cast<int>(complex.arcs.size());
@@ -56,7 +57,7 @@ struct Layout_distortion::Form
       solver.product_with_inverse(B, product);
       m_form -= product;
     }
-    m_form /= m.number_of_faces();
+    m_form /= m_mesh.number_of_faces();
 
     Eigen::VectorXd lengths(arcs);
     for(int a = 0; a < arcs; ++a)
@@ -113,9 +114,9 @@ private:
                 d = difference(y0, y1, 1);
       auto add_square = [&](const Row& r, double weight) { sum += weight / 4 * r * r.transpose(); };
       add_square(b + c, 1);
-      add_square(a - d, stretch_weight);
-      add_square(a + d, size_weight);
-      add_square(b - c, rotation_weight);
+      add_square(a - d, Layout_weights::stretch);
+      add_square(a + d, Layout_weights::size);
+      add_square(b - c, Layout_weights::rotation);
     }
     return sum;
   }
@@ -144,12 +145,12 @@ private:
   // Each vertex has the frame in which its first halfedge points along x.
   void number_unknowns(const Quad_vertex_rules& rules, const std::vector<char>& is_fixed)
   {
-    m_direction.assign(m.number_of_halfedges(), 0);
-    m_unknown.assign(m.number_of_vertices(), { { -1, -1 } });
+    m_direction.assign(m_mesh.number_of_halfedges(), 0);
+    m_unknown.assign(m_mesh.number_of_vertices(), { { -1, -1 } });
     m_number_of_unknowns = 0;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
-      const int first = m.halfedge_of_vertex[v];
+      const int first = m_mesh.halfedge_of_vertex[v];
       if(first == -1)
         continue;
       bool may_move[2] = { true, true };
@@ -157,13 +158,13 @@ private:
       do
       {
         m_direction[h] = direction % 4;
-        if(m.is_feature[h] || m.is_border(h))
+        if(m_mesh.is_feature[h] || m_mesh.is_border(h))
           may_move[1 - direction % 2] = false;
-        h = m.next_around_source(h);
+        h = m_mesh.next_around_source(h);
         ++direction;
       }
       while(h != -1 && h != first);
-      if(is_fixed[v] || rules.is_special[v] || is_irregular(m, v))
+      if(is_fixed[v] || rules.is_special[v] || is_irregular(m_mesh, v))
         may_move[0] = may_move[1] = false;
       for(int i = 0; i < 2; ++i)
         if(may_move[i])
@@ -177,7 +178,7 @@ private:
     // coordinates turn into each other: x = (1, 0), -y, -x, y
     const int turn = (k - m_direction[h] + 4) % 4, j = i ^ (turn & 1);
     const int sign = i == 0 ? (turn == 1 || turn == 2 ? -1 : 1) : (turn == 2 || turn == 3 ? -1 : 1);
-    return std::make_pair(m_unknown[m.source(h)][j], sign);
+    return std::make_pair(m_unknown[m_mesh.source(h)][j], sign);
   }
 
   // What is done in one rectangle.
@@ -225,7 +226,7 @@ private:
     Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n), corners(8, n), forces(8, n);
     const Motorcycle_complex::Piece& s = p.sides[0][0];
     const std::vector<int>& halfedges = m_complex.arcs[s.arc].halfedges;
-    int row = s.forward ? halfedges.front() : m.opposite[halfedges.back()];
+    int row = s.forward ? halfedges.front() : m_mesh.opposite[halfedges.back()];
     for(int j = 0; j < h; ++j)
     {
       below.swap(above);
@@ -238,7 +239,7 @@ private:
         forces.noalias() = cell * corners;
         form.noalias() += corners.transpose() * forces;
         std::array<std::pair<int, int>, 8> u;
-        for(int k = 0, q = g; k < 4; ++k, q = m.next(q))
+        for(int k = 0, q = g; k < 4; ++k, q = m_mesh.next(q))
         {
           u[2 * k] = unknown(q, k, 0);
           u[2 * k + 1] = unknown(q, k, 1);
@@ -254,17 +255,17 @@ private:
                 coupling.emplace_back(u[r].first, arcs[a], u[r].second * forces(r, a));
           }
         if(i + 1 < w)
-          g = m.next(m.opposite[m.next(g)]);
+          g = m_mesh.next(m_mesh.opposite[m_mesh.next(g)]);
       }
       if(j + 1 < h)
-        row = m.opposite[m.across(row)];
+        row = m_mesh.opposite[m_mesh.across(row)];
     }
     for(int a = 0; a < n; ++a)
       for(int b = 0; b < n; ++b)
         m_form(arcs[a], arcs[b]) += form(a, b);
   }
 
-  const Indexed_quad_mesh& m;
+  const Indexed_quad_mesh& m_mesh;
   const Motorcycle_complex& m_complex;
   std::vector<int> m_direction;              // per halfedge: its direction in the frame of its source
   std::vector<std::array<int, 2>> m_unknown; // per vertex: x and y, -1 where it cannot move

@@ -225,7 +225,7 @@ private:
             ++q;
           else
           {
-            m_shared[i][k].push_back(Shared{ a[p].first, a[p].second, b[q].second });
+            m_shared[i][k].push_back(Shared{ a[p].first, { a[p].second, b[q].second } });
             ++p;
             ++q;
           }

@@ -12,8 +12,8 @@
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
-#include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_search.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Working_surface.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/search_component.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
@@ -144,23 +144,13 @@ private:
     Grid_map_search::Directions directions;
     if(!find_directions(directions))
       return false;
-    Grid_map_search search(
+    quads = search_component(
       *m_surface, directions,
-      { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor);
-    const std::shared_ptr<const Grid_map_attempt> attempt = search.run();
-    result.field_seconds += search.figures.field_seconds;
-    result.parameterization_seconds = search.figures.parameterization_seconds;
-    result.parameterization_attempts = search.figures.parameterization_attempts;
-    result.extraction_seconds = search.figures.extraction_seconds;
-    if(attempt)
-    {
-      take(*attempt);
-      return true;
-    }
-    result.singularities = search.figures.singularities;
-    result.released_feature_share = search.figures.released_feature_share;
-    fail(search.status, search.message);
-    return false;
+      { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor,
+      result);
+    if(quads)
+      m_work.move_to_input(*quads);
+    return quads != nullptr;
   }
 
   // Before there is a mesh.
@@ -207,40 +197,6 @@ private:
     }
     result.field_seconds = timer.time();
     return true;
-  }
-
-  void take(const Grid_map_attempt& attempt)
-  {
-    const Field_attempt& field = *attempt.field;
-    assign(m_surface->mesh.edges(), field.is_feature, m_surface->is_feature);
-    assign(m_surface->mesh.faces(), field.angle, m_surface->angle);
-    assign(m_surface->mesh.edges(), field.period_jump, m_surface->period_jump);
-    assign(m_surface->mesh.vertices(), field.index, m_surface->index);
-    assign(m_surface->mesh.halfedges(), attempt.uv, m_surface->uv);
-    quads = attempt.quads;
-    m_work.move_to_input(*quads);
-    result.released_feature_share = feature_length > 0 ? field.released_length / feature_length : 0;
-    result.singularities = field.singularities;
-    result.field_integers = field.integers;
-    result.field_energy = field.energy;
-    result.target_edge_length = attempt.length() * m_request.length;
-    result.parameterization_integers = attempt.integers;
-    result.parameterization_energy = attempt.energy;
-    result.relaxed_parameterization_energy = attempt.relaxed_energy;
-    result.flipped_triangles = attempt.folded.size();
-    result.quads = quads->mesh.number_of_faces() - attempt.other_faces;
-    result.other_faces = attempt.other_faces;
-    result.irregular_vertices = attempt.irregular_vertices;
-    result.message = attempt.message;
-    result.status = attempt.is_simple ? Status::VALID : Status::NOT_VALID;
-  }
-
-  template <typename Range, typename T, typename Map>
-  static void assign(const Range& range, const std::vector<T>& values, Map map)
-  {
-    std::size_t i = 0;
-    for(auto x : range)
-      map[x] = values[i++];
   }
 
   void fail(Status status, const std::string& message)

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_SURFACE_COMPONENTS_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_SURFACE_COMPONENTS_H
 
+#include <CGAL/Quad_meshing/Pipeline/internal/Element_names.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Triangle_input.h>
 #include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
 #include <CGAL/Quad_meshing/internal/Spatial_numbers.h>
@@ -43,7 +44,8 @@ public:
   std::size_t number_of_divided_vertices = 0;
   std::string error; // a sentence; empty if all went well
 
-  explicit Surface_components(const Triangle_input& input) : m_input(input)
+  explicit Surface_components(const Triangle_input& input, const Element_names& names = Element_names())
+    : m_input(input), m_names(names)
   {
     if(!match_sides())
       return;
@@ -96,15 +98,15 @@ private:
       while(j < ns && ends(order[j]) == ends(order[i]))
         ++j;
       const int s = order[i], t = order[j - 1];
-      const std::string names = std::to_string(vertex(s)) + " and " + std::to_string(vertex(next(s)));
       if(vertex(s) == vertex(next(s)))
-        return fail("A triangle has the vertex " + std::to_string(vertex(s)) + " twice.");
+        return fail("There is a triangle that has " + name(s) + " twice.");
       if(j - i > 2)
-        return fail("The vertices " + names + " are joined by more than one edge.");
+        return fail("There is more than one edge between " + name(s) + " and " + name(next(s)) + ".");
       if(j - i == 2)
       {
         if(vertex(s) == vertex(t))
-          return fail("The triangles at the vertices " + names + " have opposite orientations.");
+          return fail("The triangles at the edge between " + name(s) + " and " + name(next(s)) +
+                      " have opposite orientations.");
         m_opposite[s] = t;
         m_opposite[t] = s;
       }
@@ -112,6 +114,8 @@ private:
     }
     return true;
   }
+
+  std::string name(int side) const { return m_names.vertex(static_cast<std::size_t>(vertex(side))); }
 
   bool fail(const std::string& message)
   {
@@ -262,6 +266,7 @@ private:
   }
 
   const Triangle_input& m_input;
+  const Element_names m_names;
   std::vector<int> m_opposite; // per side, -1 on the border
   int m_number_of_components = 0;
   std::vector<int> m_component;                          // per face

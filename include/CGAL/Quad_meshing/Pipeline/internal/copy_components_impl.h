@@ -12,6 +12,8 @@
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Surface_components.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
 #include <utility>
 
 namespace CGAL {
@@ -23,6 +25,8 @@ CGAL_QUAD_MESHING_INLINE Component_copies copy_components(const Triangle_input& 
   Surface_components components(input);
   Component_copies copies;
   copies.surfaces = std::move(components.surfaces);
+  for(const auto& surface : copies.surfaces)
+    copies.areas.push_back(Polygon_mesh_processing::area(surface->mesh));
   copies.divided_vertices = components.number_of_divided_vertices;
   copies.message = components.error;
   return copies;

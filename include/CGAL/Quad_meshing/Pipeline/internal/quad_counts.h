@@ -9,7 +9,9 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_QUAD_COUNTS_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_QUAD_COUNTS_H
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -27,6 +29,14 @@ inline bool is_about(double quads, double requested)
 {
   const double tolerance = 0.08;
   return quads >= (1 - tolerance) * requested && quads <= (1 + tolerance) * requested;
+}
+
+// The length of quad edges in one of several components: where quads of the length asked for are too few for a mesh, it
+// is shorter.
+inline double edge_length_of_component(double area, double length, std::size_t number_of_components)
+{
+  const double least_quads = 24; // four on each side of a cube
+  return number_of_components > 1 && area > 0 ? (std::min)(length, std::sqrt(area / least_quads)) : length;
 }
 
 // Whether a number of quads is what a user may count on without being told otherwise.

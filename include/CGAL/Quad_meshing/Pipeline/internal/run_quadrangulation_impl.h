@@ -37,7 +37,7 @@ class Quadrangulation_run
 
 public:
   Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor)
-    : m_input(input), m_options(options), m_visitor(visitor, options.maximum_running_time)
+    : m_input(input), m_options(options), m_names(options), m_visitor(visitor, options.maximum_running_time)
   {
   }
 
@@ -52,6 +52,7 @@ public:
     if(check_options() && check_points() && find_components() && choose_lengths())
     {
       quadrangulate_components();
+      find_invalid_components();
       join(surface, quads);
       conclude(*quads);
     }
@@ -93,13 +94,13 @@ private:
     for(std::size_t i = 0; i < m_input.points.size(); ++i)
       for(int c = 0; c < 3; ++c)
         if(!std::isfinite(m_input.points[i][c]))
-          return refuse("The vertex " + std::to_string(i) + " has a coordinate that is not a finite number.");
+          return refuse("The coordinates of " + m_names.vertex(i) + " are not all finite numbers.");
     return true;
   }
 
   bool find_components()
   {
-    Surface_components components(m_input);
+    Surface_components components(m_input, m_names);
     if(!components.error.empty())
       return refuse(components.error);
     m_surfaces = std::move(components.surfaces);
@@ -136,12 +137,11 @@ private:
       return refuse(asks_for_number() ? "The quads that are asked for are so few that one is larger than the model."
                                       : "The target edge length is larger than the model.");
     m_result.target_edge_length = length;
-    const double least_quads = 24; // four on each side of a cube
     for(double a : areas)
     {
       Component_request request;
       request.has_features = m_input.has_features();
-      request.length = m_surfaces.size() > 1 && a > 0 ? (std::min)(length, std::sqrt(a / least_quads)) : length;
+      request.length = edge_length_of_component(a, length, m_surfaces.size());
       request.number_of_quads = a / (request.length * request.length);
       request.requested_quads = asks_for_number() ? request.number_of_quads : 0;
       m_result.refined_components += request.length < length;
@@ -200,14 +200,12 @@ private:
   void conclude(const Quadrangulation_quads& quads)
   {
     double feature_length = 0, released_length = 0;
-    std::size_t valid = 0;
     bool is_for_other_length = false;
     double relative_length = 1;
     for(std::size_t i = 0; i < m_components.size(); ++i)
     {
       const Quadrangulation_result& r = m_components[i]->result;
       add_figures(r);
-      valid += r.is_valid();
       m_result.failed_components += !m_components[i]->quads;
       feature_length += m_components[i]->feature_length;
       released_length += r.released_feature_share * m_components[i]->feature_length;
@@ -227,7 +225,7 @@ private:
       m_result.quads = 0;
       return;
     }
-    if(valid == m_components.size())
+    if(m_result.invalid_components.empty())
     {
       m_result.status = Status::VALID;
       m_result.message = "A pure quad mesh with the topology of the input";
@@ -242,7 +240,10 @@ private:
       m_result.message = without_period(m_components.front()->result.message);
     }
     else
-      name_what_is_not_valid(quads);
+    {
+      m_result.status = quads.mesh.number_of_faces() > 0 ? Status::NOT_VALID : m_components.front()->result.status;
+      m_result.message = names_of_invalid_components();
+    }
     add_remarks();
     m_result.message += ".";
   }
@@ -271,27 +272,32 @@ private:
     m_result.structure_seconds += r.structure_seconds;
   }
 
-  // A bad component does not cost the others: the message names those that are not as they should be.
-  void name_what_is_not_valid(const Quadrangulation_quads& quads)
+  void find_invalid_components()
   {
-    m_result.status = quads.mesh.number_of_faces() > 0 ? Status::NOT_VALID : m_components.front()->result.status;
-    std::size_t bad = 0;
-    for(const auto& c : m_components)
-      bad += !c->result.is_valid();
-    m_result.message = std::to_string(bad) + " of " + std::to_string(m_components.size()) + " components " +
-                       (bad == 1 ? "has" : "have") + " no valid quad mesh";
-    const std::size_t most_named = 5;
-    std::size_t named = 0;
-    for(std::size_t i = 0; i < m_components.size() && named < most_named; ++i)
-      if(!m_components[i]->result.is_valid())
-      {
-        m_result.message += (named == 0 ? ": that of face " : "; that of face ") +
-                            std::to_string(m_components[i]->first_input_face) + ": " +
-                            without_period(m_components[i]->result.message);
-        ++named;
-      }
-    if(bad > named)
-      m_result.message += "; and " + std::to_string(bad - named) + " more";
+    if(m_visitor.is_stopped())
+      return;
+    for(std::size_t i = 0; i < m_components.size(); ++i)
+    {
+      const Quadrangulation_result& r = m_components[i]->result;
+      if(r.is_valid())
+        continue;
+      m_result.invalid_components.push_back({ m_components[i]->first_input_face, r.status, r.message });
+    }
+  }
+
+  // A bad component does not cost the others: the message names those that are not as they should be.
+  std::string names_of_invalid_components() const
+  {
+    const std::vector<Invalid_component>& bad = m_result.invalid_components;
+    std::string message = std::to_string(bad.size()) + " of " + std::to_string(m_components.size()) + " components " +
+                          (bad.size() == 1 ? "has" : "have") + " no valid quad mesh";
+    const std::size_t most_named = 5, named = (std::min)(bad.size(), most_named);
+    for(std::size_t i = 0; i < named; ++i)
+      message +=
+        (i == 0 ? ": that of " : "; that of ") + m_names.face(bad[i].face) + ": " + without_period(bad[i].message);
+    if(bad.size() > named)
+      message += "; and " + std::to_string(bad.size() - named) + " more";
+    return message;
   }
 
   // What the result gave up of what was asked for, and why.
@@ -336,6 +342,7 @@ private:
 
   const Triangle_input& m_input;
   const Quadrangulation_options& m_options;
+  const Element_names m_names;
   Pipeline_visitor m_visitor;
   Quadrangulation_result m_result;
   std::vector<std::unique_ptr<Quadrangulation_surface>> m_surfaces;

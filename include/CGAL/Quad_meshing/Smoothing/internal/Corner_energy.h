@@ -71,42 +71,42 @@ class Corner_energy_model
   // Smallest eigenvalue of the Hessian, relative to the largest, that a step divides by.
   static constexpr double least_curvature = 1e-3;
 
-  Vector_3 u, w;
-  double m_value = 0, gu = 0, gw = 0, huu = 0, huw = 0, hww = 0;
+  Vector_3 m_u, m_w;
+  double m_value = 0, m_gu = 0, m_gw = 0, m_huu = 0, m_huw = 0, m_hww = 0;
 
 public:
-  Corner_energy_model(const Vector_3& u, const Vector_3& w) : u(u), w(w) {}
+  Corner_energy_model(const Vector_3& u, const Vector_3& w) : m_u(u), m_w(w) {}
 
   double value() const { return m_value; }
-  std::array<double, 2> gradient() const { return { { gu, gw } }; }
-  std::array<double, 3> hessian() const { return { { huu, huw, hww } }; } // its entries (u,u), (u,w), (w,w)
+  std::array<double, 2> gradient() const { return { { m_gu, m_gw } }; }
+  std::array<double, 3> hessian() const { return { { m_huu, m_huw, m_hww } }; } // its entries (u,u), (u,w), (w,w)
 
   void add(const Corner_energy& t, double aim, double epsilon)
   {
     constexpr double area_weight = Corner_energy::area_weight;
     const double root = t.root(epsilon), chi = t.chi(root, epsilon), top = t.top(aim);
     const double chi1 = chi / root, chi2 = epsilon * epsilon / (2 * root * root * root);
-    const double du = t.area_gradient * u, dw = t.area_gradient * w;
+    const double du = t.area_gradient * m_u, dw = t.area_gradient * m_w;
     const double slope = 2 * area_weight * t.area / aim;
-    const double nu = t.lengths_gradient * u + slope * du, nw = t.lengths_gradient * w + slope * dw;
+    const double nu = t.lengths_gradient * m_u + slope * du, nw = t.lengths_gradient * m_w + slope * dw;
     const double c1 = 1 / (2 * chi), c2 = chi1 / (2 * chi * chi);
     const double c3 = top * (chi1 * chi1 / (chi * chi * chi) - chi2 / (2 * chi * chi)) + area_weight / (aim * chi);
     m_value += top * c1;
-    gu += nu * c1 - top * c2 * du;
-    gw += nw * c1 - top * c2 * dw;
-    huu += t.lengths_curvature * c1 - 2 * c2 * nu * du + c3 * du * du;
-    huw += -c2 * (nu * dw + nw * du) + c3 * du * dw;
-    hww += t.lengths_curvature * c1 - 2 * c2 * nw * dw + c3 * dw * dw;
+    m_gu += nu * c1 - top * c2 * du;
+    m_gw += nw * c1 - top * c2 * dw;
+    m_huu += t.lengths_curvature * c1 - 2 * c2 * nu * du + c3 * du * du;
+    m_huw += -c2 * (nu * dw + nw * du) + c3 * du * dw;
+    m_hww += t.lengths_curvature * c1 - 2 * c2 * nw * dw + c3 * dw * dw;
   }
 
   // Newton's step with the absolute values of the eigenvalues, zero where there is none; along u only, and in the
   // plane.
-  Vector_3 step_along_u() const { return huu == 0 ? Vector_3(0, 0, 0) : (-gu / CGAL::abs(huu)) * u; }
+  Vector_3 step_along_u() const { return m_huu == 0 ? Vector_3(0, 0, 0) : (-m_gu / CGAL::abs(m_huu)) * m_u; }
 
   Vector_3 step_in_plane() const
   {
-    const double mean = (huu + hww) / 2, half = (huu - hww) / 2;
-    const double radius = std::sqrt(half * half + huw * huw);
+    const double mean = (m_huu + m_hww) / 2, half = (m_huu - m_hww) / 2;
+    const double radius = std::sqrt(half * half + m_huw * m_huw);
     const double floor = least_curvature * (CGAL::abs(mean) + radius);
     if(!(floor > 0))
       return Vector_3(0, 0, 0);
@@ -114,12 +114,12 @@ public:
     double c = 1, s = 0; // unit eigenvector of mean + radius
     if(radius > 0)
     {
-      const double angle = std::atan2(huw, half) / 2;
+      const double angle = std::atan2(m_huw, half) / 2;
       c = std::cos(angle);
       s = std::sin(angle);
     }
-    const double x = -(c * gu + s * gw) / e1, y = -(c * gw - s * gu) / e2;
-    return (c * x - s * y) * u + (s * x + c * y) * w;
+    const double x = -(c * m_gu + s * m_gw) / e1, y = -(c * m_gw - s * m_gu) / e2;
+    return (c * x - s * y) * m_u + (s * x + c * y) * m_w;
   }
 };
 

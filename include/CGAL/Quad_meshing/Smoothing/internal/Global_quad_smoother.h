@@ -58,7 +58,7 @@ public:
     {
       const double bad =
         std::count_if(m_jacobian.begin(), m_jacobian.end(), [](double j) { return j < guarded_jacobian; });
-      m_limit = bad <= few_bad_quads * m.number_of_faces() ? guarded_jacobian : least_jacobian;
+      m_limit = bad <= few_bad_quads * m_mesh.number_of_faces() ? guarded_jacobian : least_jacobian;
     }
     update_scales();
     number_unknowns();
@@ -69,9 +69,9 @@ public:
     if(!m_visitor.go_further() || !solve(x))
       return false;
 
-    std::vector<Vector_3> direction(m.number_of_vertices(), Vector_3(0, 0, 0));
+    std::vector<Vector_3> direction(m_mesh.number_of_vertices(), Vector_3(0, 0, 0));
     double longest = 0;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(m_unknown[v][0] != -1)
       {
         for(int i = 0; i < 2; ++i)
@@ -93,13 +93,13 @@ public:
     for(int sweep = 0; any && sweep < mending_sweeps; ++sweep)
     {
       update_scales();
-      is_bad.assign(m.number_of_vertices(), 0);
-      for(int f = 0; f < m.number_of_faces(); ++f)
+      is_bad.assign(m_mesh.number_of_vertices(), 0);
+      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
         if(m_jacobian[f] < guarded_jacobian)
-          for(int v : m.corners[f])
+          for(int v : m_mesh.corners[f])
             is_bad[v] = 1;
       any = false;
-      for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
+      for(int v = 0; v < m_mesh.number_of_vertices() && goes_on(v); ++v)
         if(is_bad[v])
           any = mend(v) || any;
     }
@@ -121,7 +121,7 @@ private:
   // Moves one vertex, unless this turns a quad over; whether it has gone far enough to go on.
   bool mend(int v)
   {
-    const Point_3 p = m.points[v];
+    const Point_3 p = m_mesh.points[v];
     const int place = m_place[v];
     auto opposed_around = [&]
     {
@@ -143,11 +143,11 @@ private:
 
   void number_unknowns()
   {
-    m_frame.resize(m.number_of_vertices());
-    m_unknown.assign(m.number_of_vertices(), { { -1, -1 } });
-    m_damping.resize(m.number_of_vertices(), 0);
+    m_frame.resize(m_mesh.number_of_vertices());
+    m_unknown.assign(m_mesh.number_of_vertices(), { { -1, -1 } });
+    m_damping.resize(m_mesh.number_of_vertices(), 0);
     m_number_of_unknowns = 0;
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
       if(m_kind[v] == fixed || m_is_off[v] || !(m_scale[v] > 0))
         continue;
@@ -165,11 +165,11 @@ private:
     typedef Eigen::Matrix<double, 8, 8> Matrix_8;
     m_gradient = Eigen::VectorXd::Zero(m_number_of_unknowns);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(36 * m.number_of_faces() + m_number_of_unknowns);
-    for(int f = 0; f < m.number_of_faces() && goes_on(f); ++f)
+    entries.reserve(36 * m_mesh.number_of_faces() + m_number_of_unknowns);
+    for(int f = 0; f < m_mesh.number_of_faces() && goes_on(f); ++f)
     {
-      const std::array<int, 4>& c = m.corners[f];
-      const Vector_3 x = unit_or_zero(m.points[c[2]] - m.points[c[0]]), y = cross_product(m_normal[f], x);
+      const std::array<int, 4>& c = m_mesh.corners[f];
+      const Vector_3 x = unit_or_zero(m_mesh.points[c[2]] - m_mesh.points[c[0]]), y = cross_product(m_normal[f], x);
       // the ways of each vertex in the plane of the quad
       std::array<Eigen::Matrix2d, 4> ways;
       for(int k = 0; k < 4; ++k)
@@ -183,7 +183,8 @@ private:
       for(int k = 0; k < 4; ++k)
       {
         const int next = (k + 1) & 3, prev = (k + 3) & 3;
-        const Vector_3 a = m.points[c[next]] - m.points[c[k]], b = m.points[c[prev]] - m.points[c[k]];
+        const Vector_3 a = m_mesh.points[c[next]] - m_mesh.points[c[k]],
+                       b = m_mesh.points[c[prev]] - m_mesh.points[c[k]];
         Rectangle_energy::Sides slope;
         Eigen::Matrix4d curvature;
         Rectangle_energy::derivatives(Rectangle_energy::Sides(a * x, a * y, b * x, b * y), m_area[f], slope, curvature);
@@ -208,7 +209,7 @@ private:
         }
       }
     }
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       for(int u : m_unknown[v])
         if(u != -1)
           entries.emplace_back(u, u, (least_damping + m_damping[v]) / m_scale[v]);
@@ -254,8 +255,8 @@ private:
   // Goes a part of the way; nothing has moved if that does not lessen the energy.
   bool move_all(const std::vector<Vector_3>& direction, double part)
   {
-    const int nv = m.number_of_vertices(), nf = m.number_of_faces();
-    m_points_before = m.points;
+    const int nv = m_mesh.number_of_vertices(), nf = m_mesh.number_of_faces();
+    m_points_before = m_mesh.points;
     m_place_before = m_place;
     m_normal_before = m_normal;
     m_jacobian_before = m_jacobian;
@@ -270,8 +271,8 @@ private:
     for(int v = 0; v < nv && goes_on(v); ++v)
       if(m_unknown[v][0] != -1)
       {
-        const Nearest nearest = walk_on_reference(v, m.points[v] + part * direction[v]);
-        m.points[v] = nearest.point;
+        const Nearest nearest = walk_on_reference(v, m_mesh.points[v] + part * direction[v]);
+        m_mesh.points[v] = nearest.point;
         m_place[v] = nearest.place;
       }
     std::vector<char> was_too_long = put_back();
@@ -281,7 +282,7 @@ private:
       after += energy;
       if(energy - energy_before[f] >
          tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least) + 4 * tolerated_rise)
-        for(int v : m.corners[f])
+        for(int v : m_mesh.corners[f])
           was_too_long[v] = 1;
     }
     for(int v = 0; v < nv; ++v)
@@ -293,7 +294,7 @@ private:
       m_useless_steps = 0;
       return before - after > least_gain * (before - 4 * Rectangle_energy::least * nf);
     }
-    m.points = m_points_before;
+    m_mesh.points = m_points_before;
     m_place = m_place_before;
     m_normal = m_normal_before;
     m_jacobian = m_jacobian_before;
@@ -305,9 +306,9 @@ private:
   // which ones.
   std::vector<char> put_back()
   {
-    std::vector<char> is_back(m.number_of_vertices(), 0);
-    std::vector<int> faces(m.number_of_faces()), around;
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    std::vector<char> is_back(m_mesh.number_of_vertices(), 0);
+    std::vector<int> faces(m_mesh.number_of_faces()), around;
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       faces[f] = f;
     for(; !faces.empty(); faces.swap(around))
     {
@@ -318,11 +319,11 @@ private:
         update_face(f);
         if(is_allowed(f))
           continue;
-        for(int v : m.corners[f])
+        for(int v : m_mesh.corners[f])
           if(m_unknown[v][0] != -1 && !is_back[v])
           {
             is_back[v] = 1;
-            m.points[v] = m_points_before[v];
+            m_mesh.points[v] = m_points_before[v];
             m_place[v] = m_place_before[v];
             for(int j = m_first[v]; j < m_first[v + 1]; ++j)
               around.push_back(m_corner[j] / 4);
@@ -340,11 +341,11 @@ private:
 
   double energy_of_quad(int f) const
   {
-    const std::array<int, 4>& c = m.corners[f];
+    const std::array<int, 4>& c = m_mesh.corners[f];
     double sum = 0;
     for(int k = 0; k < 4; ++k)
-      sum += Rectangle_energy::value(m.points[c[(k + 1) & 3]] - m.points[c[k]],
-                                     m.points[c[(k + 3) & 3]] - m.points[c[k]], m_normal[f], m_area[f]);
+      sum += Rectangle_energy::value(m_mesh.points[c[(k + 1) & 3]] - m_mesh.points[c[k]],
+                                     m_mesh.points[c[(k + 3) & 3]] - m_mesh.points[c[k]], m_normal[f], m_area[f]);
     return sum;
   }
 

@@ -45,15 +45,15 @@ public:
 
   Quad_mesh_on_reference(Indexed_quad_mesh& mesh, Reference_surface& surface, Reference_curves& features,
                          Reference_curves& borders, const std::vector<char>& is_fixed_vertex, Any_visitor& visitor)
-    : m(mesh), surface(surface), features(features), borders(borders), m_visitor(visitor)
+    : m_mesh(mesh), m_surface(surface), m_features(features), m_borders(borders), m_visitor(visitor)
   {
-    m_was_unfolded.assign(m.number_of_vertices(), 0);
+    m_was_unfolded.assign(m_mesh.number_of_vertices(), 0);
     collect_incident_corners();
     classify(is_fixed_vertex);
     update_scales();
-    m_normal.resize(m.number_of_faces());
-    m_jacobian.resize(m.number_of_faces());
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    m_normal.resize(m_mesh.number_of_faces());
+    m_jacobian.resize(m_mesh.number_of_faces());
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       update_face(f);
   }
 
@@ -62,17 +62,17 @@ public:
   // Puts every free vertex onto its reference where this folds nothing.
   void project()
   {
-    m_place.assign(m.number_of_vertices(), -1);
-    m_is_off.assign(m.number_of_vertices(), 0);
+    m_place.assign(m_mesh.number_of_vertices(), -1);
+    m_is_off.assign(m_mesh.number_of_vertices(), 0);
     int hint = -1;
-    for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices() && goes_on(v); ++v)
     {
       if(m_kind[v] == fixed)
         continue;
       if(m_kind[v] == on_surface)
         for(int i = m_first[v]; i < m_first[v + 1]; ++i)
         {
-          const int w = m.target(m_corner[i]);
+          const int w = m_mesh.target(m_corner[i]);
           if(m_kind[w] == on_surface && m_place[w] != -1)
             hint = m_place[w];
         }
@@ -82,7 +82,7 @@ public:
         hint = nearest.place;
       // what sits at the end of a curve is the corner there
       else if(nearest.at_end &&
-              squared_distance(nearest.point, m.points[v]) <= corner_capture * corner_capture * m_scale[v])
+              squared_distance(nearest.point, m_mesh.points[v]) <= corner_capture * corner_capture * m_scale[v])
         m_kind[v] = fixed;
       put_onto_reference(v, nearest, guarded_jacobian);
     }
@@ -94,7 +94,7 @@ public:
   bool project_leftovers()
   {
     bool any = false;
-    for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices() && goes_on(v); ++v)
       if(m_is_off[v] && m_kind[v] != fixed)
       {
         put_onto_reference(v, nearest_on_reference(v, m_place[v]), 0);
@@ -109,7 +109,7 @@ public:
   std::vector<int> folded_quads()
   {
     std::vector<int> folded;
-    for(int f = 0; f < m.number_of_faces() && goes_on(f); ++f)
+    for(int f = 0; f < m_mesh.number_of_faces() && goes_on(f); ++f)
       if(m_jacobian[f] <= 0 || is_opposed(f))
         folded.push_back(f);
     return folded;
@@ -139,10 +139,10 @@ protected:
   {
     if(m_kind[v] == on_surface)
     {
-      const Reference_surface::Location l = surface.locate(m.points[v], hint);
+      const Reference_surface::Location l = m_surface.locate(m_mesh.points[v], hint);
       return Nearest{ l.face, l.point, false };
     }
-    const Reference_curves::Location l = (m_kind[v] == on_feature ? features : borders).locate(m.points[v]);
+    const Reference_curves::Location l = (m_kind[v] == on_feature ? m_features : m_borders).locate(m_mesh.points[v]);
     return Nearest{ l.segment, l.point, l.at_end };
   }
 
@@ -151,10 +151,10 @@ protected:
   {
     if(m_kind[v] == on_surface)
     {
-      const Reference_surface::Location l = surface.walk(p, m_place[v]);
+      const Reference_surface::Location l = m_surface.walk(p, m_place[v]);
       return Nearest{ l.face, l.point, false };
     }
-    const Reference_curves::Location l = (m_kind[v] == on_feature ? features : borders).walk(p, m_place[v]);
+    const Reference_curves::Location l = (m_kind[v] == on_feature ? m_features : m_borders).walk(p, m_place[v]);
     return Nearest{ l.segment, l.point, l.at_end };
   }
 
@@ -169,56 +169,56 @@ protected:
 
   void collect_incident_corners()
   {
-    m_first.assign(m.number_of_vertices() + 1, 0);
-    for(const std::array<int, 4>& c : m.corners)
+    m_first.assign(m_mesh.number_of_vertices() + 1, 0);
+    for(const std::array<int, 4>& c : m_mesh.corners)
       for(int v : c)
         ++m_first[v + 1];
     for(std::size_t i = 1; i < m_first.size(); ++i)
       m_first[i] += m_first[i - 1];
-    m_corner.resize(m.number_of_halfedges());
+    m_corner.resize(m_mesh.number_of_halfedges());
     std::vector<int> fill(m_first.begin(), m_first.end() - 1);
-    for(int h = 0; h < m.number_of_halfedges(); ++h)
-      m_corner[fill[m.source(h)]++] = h;
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      m_corner[fill[m_mesh.source(h)]++] = h;
   }
 
   void classify(const std::vector<char>& is_fixed_vertex)
   {
-    std::vector<int> feature_degree(m.number_of_vertices(), 0), border_degree(m.number_of_vertices(), 0);
-    for(int h = 0; h < m.number_of_halfedges(); ++h)
-      if(m.edge(h) == h && (m.is_feature[h] || m.is_border(h)))
-        for(int v : { m.source(h), m.target(h) })
-          ++(m.is_border(h) ? border_degree : feature_degree)[v];
+    std::vector<int> feature_degree(m_mesh.number_of_vertices(), 0), border_degree(m_mesh.number_of_vertices(), 0);
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if(m_mesh.edge(h) == h && (m_mesh.is_feature[h] || m_mesh.is_border(h)))
+        for(int v : { m_mesh.source(h), m_mesh.target(h) })
+          ++(m_mesh.is_border(h) ? border_degree : feature_degree)[v];
 
-    m_kind.assign(m.number_of_vertices(), on_surface);
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    m_kind.assign(m_mesh.number_of_vertices(), on_surface);
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(is_fixed_vertex[v] || m_first[v] == m_first[v + 1])
         m_kind[v] = fixed;
       else if(feature_degree[v] + border_degree[v] != 0)
-        m_kind[v] = border_degree[v] == 2 && feature_degree[v] == 0 && !borders.empty()    ? on_border
-                    : feature_degree[v] == 2 && border_degree[v] == 0 && !features.empty() ? on_feature
-                                                                                           : fixed;
+        m_kind[v] = border_degree[v] == 2 && feature_degree[v] == 0 && !m_borders.empty()    ? on_border
+                    : feature_degree[v] == 2 && border_degree[v] == 0 && !m_features.empty() ? on_feature
+                                                                                             : fixed;
   }
 
   // The mean squared side around a vertex, and from there around a quad: the area its corners aim at.
   void update_scales()
   {
-    m_scale.assign(m.number_of_vertices(), 0);
-    for(int v = 0; v < m.number_of_vertices(); ++v)
+    m_scale.assign(m_mesh.number_of_vertices(), 0);
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
       for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       {
-        const std::array<int, 4>& c = m.corners[m_corner[i] / 4];
+        const std::array<int, 4>& c = m_mesh.corners[m_corner[i] / 4];
         for(int k = 0; k < 4; ++k)
-          m_scale[v] += squared_distance(m.points[c[k]], m.points[c[(k + 1) % 4]]) / 4;
+          m_scale[v] += squared_distance(m_mesh.points[c[k]], m_mesh.points[c[(k + 1) % 4]]) / 4;
       }
       if(m_first[v] < m_first[v + 1])
         m_scale[v] /= m_first[v + 1] - m_first[v];
     }
-    m_area.resize(m.number_of_faces());
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    m_area.resize(m_mesh.number_of_faces());
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
       m_area[f] = 0;
-      for(int v : m.corners[f])
+      for(int v : m_mesh.corners[f])
         m_area[f] += m_scale[v] / 4;
       // a mesh that has collapsed here altogether
       m_area[f] = (std::max)(m_area[f], (std::numeric_limits<double>::min)());
@@ -227,14 +227,14 @@ protected:
 
   void update_face(int f)
   {
-    const std::array<int, 4>& c = m.corners[f];
-    m_jacobian[f] =
-      minimal_scaled_jacobian(m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]], m_normal[f]);
+    const std::array<int, 4>& c = m_mesh.corners[f];
+    m_jacobian[f] = minimal_scaled_jacobian(m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]],
+                                            m_mesh.points[c[3]], m_normal[f]);
   }
 
   void move(int v, const Point_3& p)
   {
-    m.points[v] = p;
+    m_mesh.points[v] = p;
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       update_face(m_corner[i] / 4);
   }
@@ -249,10 +249,10 @@ protected:
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
     {
       const int h = m_corner[i], f = h / 4;
-      const std::array<int, 4>& c = m.corners[f];
+      const std::array<int, 4>& c = m_mesh.corners[f];
       Vector_3 normal;
-      const double jacobian = minimal_scaled_jacobian(p, m.points[c[(h + 1) & 3]], m.points[c[(h + 2) & 3]],
-                                                      m.points[c[(h + 3) & 3]], normal);
+      const double jacobian = minimal_scaled_jacobian(p, m_mesh.points[c[(h + 1) & 3]], m_mesh.points[c[(h + 2) & 3]],
+                                                      m_mesh.points[c[(h + 3) & 3]], normal);
       if(jacobian < worst_now || (m_jacobian[f] > 0 && (jacobian <= 0 || normal * m_normal[f] <= 0)))
         return false;
     }
@@ -265,27 +265,27 @@ protected:
   // The surface normal below the middle of a quad, found from one of its vertices on the surface.
   Vector_3 reference_normal(int f)
   {
-    const std::array<int, 4>& c = m.corners[f];
+    const std::array<int, 4>& c = m_mesh.corners[f];
     Vector_3 sum(0, 0, 0), normals(0, 0, 0);
     int place = -1;
     for(int v : c)
     {
-      sum = sum + (m.points[v] - ORIGIN) / 4;
+      sum = sum + (m_mesh.points[v] - ORIGIN) / 4;
       if(m_kind[v] == on_surface && m_place[v] != -1)
       {
         place = m_place[v];
-        normals = normals + surface.normal(place);
+        normals = normals + m_surface.normal(place);
       }
     }
     const Point_3 middle = ORIGIN + sum;
-    place = place == -1 ? surface.locate(middle, -1).face : surface.walk(middle, place).face;
-    return unit_or_zero(normals + surface.normal(place));
+    place = place == -1 ? m_surface.locate(middle, -1).face : m_surface.walk(middle, place).face;
+    return unit_or_zero(normals + m_surface.normal(place));
   }
 
-  Indexed_quad_mesh& m;
-  Reference_surface& surface;
-  Reference_curves& features;
-  Reference_curves& borders;
+  Indexed_quad_mesh& m_mesh;
+  Reference_surface& m_surface;
+  Reference_curves& m_features;
+  Reference_curves& m_borders;
   Any_visitor& m_visitor;
 
   std::vector<int> m_first, m_corner; // per vertex: the halfedges that leave it, border or not

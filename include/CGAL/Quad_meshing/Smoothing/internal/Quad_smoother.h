@@ -54,7 +54,7 @@ public:
       return std::make_pair(std::count_if(m_jacobian.begin(), m_jacobian.end(), [](double j) { return j <= 0; }),
                             folded.size());
     };
-    std::vector<Point_3> best_points = m.points;
+    std::vector<Point_3> best_points = m_mesh.points;
     std::vector<int> best_place = m_place;
     std::vector<char> best_is_off = m_is_off;
     auto best = badness();
@@ -75,26 +75,26 @@ public:
       if(badness() < best)
       {
         best = badness();
-        best_points = m.points;
+        best_points = m_mesh.points;
         best_place = m_place;
         best_is_off = m_is_off;
       }
     }
-    m.points.swap(best_points);
+    m_mesh.points.swap(best_points);
     m_place.swap(best_place);
     m_is_off.swap(best_is_off);
-    for(int f = 0; f < m.number_of_faces(); ++f)
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       update_face(f);
   }
 
-  void start_sweeps() { m_active.assign(m.number_of_vertices(), 1); }
+  void start_sweeps() { m_active.assign(m_mesh.number_of_vertices(), 1); }
 
   // One sweep over the vertices that do not rest; false if all do.
   bool sweep()
   {
     update_scales();
     bool any = false;
-    for(int v = 0; v < m.number_of_vertices() && goes_on(v); ++v)
+    for(int v = 0; v < m_mesh.number_of_vertices() && goes_on(v); ++v)
     {
       if(m_kind[v] == fixed || !m_active[v])
         continue;
@@ -104,7 +104,7 @@ public:
         continue;
       any = true;
       for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-        for(int w : m.corners[m_corner[i] / 4])
+        for(int w : m_mesh.corners[m_corner[i] / 4])
           m_active[w] = 1;
     }
     return any;
@@ -115,13 +115,13 @@ protected:
   std::array<Vector_3, 2> directions(int v) const
   {
     if(m_kind[v] != on_surface)
-      return { { (m_kind[v] == on_feature ? features : borders).direction(m_place[v]), Vector_3(0, 0, 0) } };
+      return { { (m_kind[v] == on_feature ? m_features : m_borders).direction(m_place[v]), Vector_3(0, 0, 0) } };
     Vector_3 normal(0, 0, 0);
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       normal = normal + m_normal[m_corner[i] / 4];
     normal = unit_or_zero(normal);
     if(normal == NULL_VECTOR)
-      normal = surface.normal(m_place[v]);
+      normal = m_surface.normal(m_place[v]);
     Vector_3 u = CGAL::abs(normal.x()) < 0.6 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
     u = unit_or_zero(u - (u * normal) * normal);
     return { { u, cross_product(normal, u) } };
@@ -132,7 +132,7 @@ protected:
   {
     if(m_kind[v] == fixed)
       return 0;
-    const Point_3 p = m.points[v];
+    const Point_3 p = m_mesh.points[v];
 
     const std::array<Vector_3, 2> frame = directions(v);
     const Vector_3 &u = frame[0], &w = frame[1];
@@ -165,16 +165,17 @@ protected:
     double factor = 1;
     for(int trial = 0; trial < 4; ++trial, factor /= 3)
       if(try_move(v, p + factor * step, model.value(), epsilon, guarded))
-        return std::sqrt(squared_distance(p, m.points[v]));
+        return std::sqrt(squared_distance(p, m_mesh.points[v]));
 
     // a vertex between the two sides of a fold, or of a crease: the middle of its neighbours
     if(!guarded)
     {
       Vector_3 sum(0, 0, 0);
       for(int i = m_first[v]; i < m_first[v + 1]; ++i)
-        sum = sum + (m.points[m.target(m_corner[i])] - p) + (m.points[m.source(m.prev(m_corner[i]))] - p);
+        sum = sum + (m_mesh.points[m_mesh.target(m_corner[i])] - p) +
+              (m_mesh.points[m_mesh.source(m_mesh.prev(m_corner[i]))] - p);
       if(try_move(v, p + sum / (2 * (m_first[v + 1] - m_first[v])), model.value(), epsilon, guarded))
-        return std::sqrt(squared_distance(p, m.points[v]));
+        return std::sqrt(squared_distance(p, m_mesh.points[v]));
     }
     return 0;
   }
@@ -183,14 +184,14 @@ private:
   // The faces around the given ones, and the vertices of these faces.
   void grow(const std::vector<int>& seeds, std::vector<int>& region_faces, std::vector<int>& region_vertices) const
   {
-    std::vector<char> has_face(m.number_of_faces(), 0), has_vertex(m.number_of_vertices(), 0);
+    std::vector<char> has_face(m_mesh.number_of_faces(), 0), has_vertex(m_mesh.number_of_vertices(), 0);
     region_faces = seeds;
     for(int f : seeds)
       has_face[f] = 1;
     for(std::size_t i = 0, end = region_faces.size(), ring = 0; ring <= unfolding_rings;
         ++ring, end = region_faces.size())
       for(; i < end; ++i)
-        for(int v : m.corners[region_faces[i]])
+        for(int v : m_mesh.corners[region_faces[i]])
         {
           if(has_vertex[v])
             continue;
@@ -210,9 +211,9 @@ private:
   // The three corners that move with the source of h.
   std::array<Corner_energy, 3> corners_at(int h, const Point_3& p) const
   {
-    const std::array<int, 4>& c = m.corners[h / 4];
-    return Corner_energy::around(p, m.points[c[(h + 1) & 3]], m.points[c[(h + 2) & 3]], m.points[c[(h + 3) & 3]],
-                                 m_normal[h / 4]);
+    const std::array<int, 4>& c = m_mesh.corners[h / 4];
+    return Corner_energy::around(p, m_mesh.points[c[(h + 1) & 3]], m_mesh.points[c[(h + 2) & 3]],
+                                 m_mesh.points[c[(h + 3) & 3]], m_normal[h / 4]);
   }
 
   // The energy at p of all corners that move with v; infinite if one folds that may not (epsilon 0).
@@ -241,7 +242,7 @@ private:
     if(guarded)
       move(v, nearest.point);
     else
-      m.points[v] = nearest.point;
+      m_mesh.points[v] = nearest.point;
     return true;
   }
 

@@ -54,37 +54,37 @@ struct Rectangle_energy
   {
     const Eigen::Vector2d a = x.head<2>(), b = x.tail<2>();
     const Rectangle_energy e(a.norm(), b.norm(), a.dot(b), a[0] * b[1] - a[1] * b[0], aim);
-    const double aa = e.la * e.la, bb = e.lb * e.lb;
+    const double aa = e.m_la * e.m_la, bb = e.m_lb * e.m_lb;
     Sides s, theta, t;
     s << a / aa, -b / bb;
     theta << a[1] / aa, -a[0] / aa, -b[1] / bb, b[0] / bb;
     t << a / aa, b / bb;
-    t += e.cosine / e.sine * theta;
+    t += e.m_cosine / e.m_sine * theta;
 
-    const double ratio = e.la / e.lb, sinh_s = (ratio - 1 / ratio) / 2;
-    const double per_s = squareness * sinh_s / e.sine, per_theta = -e.top() * e.cosine / (e.sine * e.sine);
-    gradient = per_s * s + per_theta * theta + area_weight / 2 * (e.area - 1 / e.area) * t;
-    matrix = squareness * e.cosh_s() / e.sine * s * s.transpose() -
-             per_s * e.cosine / e.sine * (s * theta.transpose() + theta * s.transpose()) +
-             e.top() * (1 + e.cosine * e.cosine) / (e.sine * e.sine * e.sine) * theta * theta.transpose() +
-             area_weight / 2 * (e.area + 1 / e.area) * t * t.transpose();
+    const double ratio = e.m_la / e.m_lb, sinh_s = (ratio - 1 / ratio) / 2;
+    const double per_s = squareness * sinh_s / e.m_sine, per_theta = -e.top() * e.m_cosine / (e.m_sine * e.m_sine);
+    gradient = per_s * s + per_theta * theta + area_weight / 2 * (e.m_area - 1 / e.m_area) * t;
+    matrix = squareness * e.cosh_s() / e.m_sine * s * s.transpose() -
+             per_s * e.m_cosine / e.m_sine * (s * theta.transpose() + theta * s.transpose()) +
+             e.top() * (1 + e.m_cosine * e.m_cosine) / (e.m_sine * e.m_sine * e.m_sine) * theta * theta.transpose() +
+             area_weight / 2 * (e.m_area + 1 / e.m_area) * t * t.transpose();
   }
 
 private:
   Rectangle_energy(double a, double b, double dot, double cross, double aim)
-    : la((std::max)(a, least_length * std::sqrt(aim)))
-    , lb((std::max)(b, least_length * std::sqrt(aim)))
-    , cosine(dot / (la * lb))
-    , sine((std::max)(cross / (la * lb), least_sine))
-    , area((std::max)(cross / aim, least_area))
+    : m_la((std::max)(a, least_length * std::sqrt(aim)))
+    , m_lb((std::max)(b, least_length * std::sqrt(aim)))
+    , m_cosine(dot / (m_la * m_lb))
+    , m_sine((std::max)(cross / (m_la * m_lb), least_sine))
+    , m_area((std::max)(cross / aim, least_area))
   {
   }
 
-  double cosh_s() const { return (la / lb + lb / la) / 2; }
+  double cosh_s() const { return (m_la / m_lb + m_lb / m_la) / 2; }
   double top() const { return squareness * cosh_s() + 1 - squareness; }
-  double value() const { return top() / sine + area_weight / 2 * (area + 1 / area); }
+  double value() const { return top() / m_sine + area_weight / 2 * (m_area + 1 / m_area); }
 
-  double la, lb, cosine, sine, area;
+  double m_la, m_lb, m_cosine, m_sine, m_area;
 };
 
 } // namespace internal

@@ -38,21 +38,21 @@ namespace internal {
 // crossing is skipped.
 class Gp_execution
 {
-  const Indexed_quad_mesh& m;
-  const Gp_path& path;
+  const Indexed_quad_mesh& m_mesh;
+  const Gp_path& m_path;
 
-  std::vector<int> bearer;    // per halfedge: the halfedge that is this side afterwards, or -1
-  std::vector<int> passage;   // per halfedge without bearer: the other side it becomes one with, or -1
-  std::vector<char> vanishes; // per face
+  std::vector<int> m_bearer;    // per halfedge: the halfedge that is this side afterwards, or -1
+  std::vector<int> m_passage;   // per halfedge without bearer: the other side it becomes one with, or -1
+  std::vector<char> m_vanishes; // per face
 
-  int next_step(int i) const { return i + 1 == static_cast<int>(path.size()) ? 0 : i + 1; }
+  int next_step(int i) const { return i + 1 == static_cast<int>(m_path.size()) ? 0 : i + 1; }
 
-  bool enters(int i) const { return path[i].in != -1; }
+  bool enters(int i) const { return m_path[i].in != -1; }
 
   // For a shift step: the one further on its run whose face does not lie in a collapsed row.
   int skip_collapsed_rows(int i, const std::vector<char>& in_collapsed_row) const
   {
-    while(in_collapsed_row[path[i].in / 4])
+    while(in_collapsed_row[m_path[i].in / 4])
       i = next_step(i);
     return i;
   }
@@ -63,71 +63,71 @@ public:
   std::vector<int> face_of;     // per face of the input: its face in the result, -1 if it has vanished
   std::vector<int> vertex_from; // per vertex of the result: the vertex of the input that has become it
 
-  Gp_execution(const Indexed_quad_mesh& mesh, const Gp_path& steps) : m(mesh), path(steps) {}
+  Gp_execution(const Indexed_quad_mesh& mesh, const Gp_path& steps) : m_mesh(mesh), m_path(steps) {}
 
   // `weight` tells, per vertex, which of the merged vertices gives the position: the mean of those of
   // largest weight.
   Indexed_quad_mesh execute(const std::vector<char>& weight)
   {
-    const int nh = m.number_of_halfedges(), nf = m.number_of_faces(), steps = static_cast<int>(path.size());
-    Disjoint_sets merged(m.number_of_vertices());
+    const int nh = m_mesh.number_of_halfedges(), nf = m_mesh.number_of_faces(), steps = static_cast<int>(m_path.size());
+    Disjoint_sets merged(m_mesh.number_of_vertices());
     std::vector<int> merged_vertices;
-    for(const Gp_step& s : path)
+    for(const Gp_step& s : m_path)
       if(s.kind == gp_collapse)
       {
-        merged.join(s.left(m), s.right(m));
-        merged_vertices.push_back(s.left(m));
-        merged_vertices.push_back(s.right(m));
+        merged.join(s.left(m_mesh), s.right(m_mesh));
+        merged_vertices.push_back(s.left(m_mesh));
+        merged_vertices.push_back(s.right(m_mesh));
       }
 
     std::vector<char> in_collapsed_row(nf, 0);
-    vanishes.assign(nf, 0);
-    bearer.resize(nh);
-    std::iota(bearer.begin(), bearer.end(), 0);
-    passage.assign(nh, -1);
+    m_vanishes.assign(nf, 0);
+    m_bearer.resize(nh);
+    std::iota(m_bearer.begin(), m_bearer.end(), 0);
+    m_passage.assign(nh, -1);
     for(int i = 0; i < steps; ++i)
-      if(enters(i) && gp_passage(path[i], path[next_step(i)]) == gp_straight_collapse)
+      if(enters(i) && gp_passage(m_path[i], m_path[next_step(i)]) == gp_straight_collapse)
       {
-        const int in = path[i].in;
-        vanishes[in / 4] = 1;
-        passage[m.prev(in)] = m.next(in);
-        passage[m.next(in)] = m.prev(in);
-        for(int h : { in, m.next(in), m.across(in), m.prev(in) })
-          bearer[h] = -1;
+        const int in = m_path[i].in;
+        m_vanishes[in / 4] = 1;
+        m_passage[m_mesh.prev(in)] = m_mesh.next(in);
+        m_passage[m_mesh.next(in)] = m_mesh.prev(in);
+        for(int h : { in, m_mesh.next(in), m_mesh.across(in), m_mesh.prev(in) })
+          m_bearer[h] = -1;
         in_collapsed_row[in / 4] = 1;
       }
     // sides that are crossed by a collapse have no side to become one with
-    for(const Gp_step& s : path)
+    for(const Gp_step& s : m_path)
       if(s.kind == gp_collapse)
         for(int h : { s.in, s.out })
           if(h != -1)
-            passage[h] = -1;
+            m_passage[h] = -1;
 
     // corners that move, one shift step after the other
-    std::vector<std::array<int, 4>> corners = m.corners;
+    std::vector<std::array<int, 4>> corners = m_mesh.corners;
     auto moved_to = [&](int i)
     {
-      const int in = path[skip_collapsed_rows(i, in_collapsed_row)].in;
-      return path[i].kind == gp_shift_left ? m.source(m.prev(in)) : m.target(m.next(in));
+      const int in = m_path[skip_collapsed_rows(i, in_collapsed_row)].in;
+      return m_path[i].kind == gp_shift_left ? m_mesh.source(m_mesh.prev(in)) : m_mesh.target(m_mesh.next(in));
     };
     // the left (right) side of the face that is entered by a shift to the left (right)
     auto outer_side = [&](int i)
     {
-      const int in = path[skip_collapsed_rows(i, in_collapsed_row)].in;
-      return path[i].kind == gp_shift_left ? m.prev(in) : m.next(in);
+      const int in = m_path[skip_collapsed_rows(i, in_collapsed_row)].in;
+      return m_path[i].kind == gp_shift_left ? m_mesh.prev(in) : m_mesh.next(in);
     };
     for(int i = 0; i < steps; ++i)
     {
-      if(!enters(i) || in_collapsed_row[path[i].in / 4])
+      if(!enters(i) || in_collapsed_row[m_path[i].in / 4])
         continue;
-      const Gp_step &enter = path[i], &leave = path[next_step(i)];
+      const Gp_step &enter = m_path[i], &leave = m_path[next_step(i)];
       const int in = enter.in, f = in / 4;
       if(enter.kind != gp_collapse && leave.kind == gp_collapse)
       {
-        vanishes[f] = 1;
-        bearer[in] = bearer[m.across(in)] = bearer[leave.out] = -1;
-        passage[in] = m.across(in);
-        passage[m.across(in)] = in;
+        m_vanishes[f] = 1;
+        m_bearer[in] = m_bearer[m_mesh.across(in)] = m_bearer[leave.out] = -1;
+        m_passage[in] = m_mesh.across(in);
+        m_passage[m_mesh.across(in)] = in;
       }
       else if(enter.kind != gp_collapse)
       {
@@ -135,13 +135,13 @@ public:
         const int a = in & 3, b = (in + 1) & 3, c = (in + 2) & 3, d = (in + 3) & 3;
         corners[f][to_left ? a : b] = moved_to(i);
         corners[f][to_left ? d : c] = moved_to(next_step(i));
-        bearer[outer_side(next_step(i))] = to_left ? m.prev(in) : m.next(in);
+        m_bearer[outer_side(next_step(i))] = to_left ? m_mesh.prev(in) : m_mesh.next(in);
       }
       else
       {
         corners[f][leave.kind == gp_shift_left ? in & 3 : (in + 1) & 3] = moved_to(next_step(i));
-        bearer[in] = -1;
-        bearer[outer_side(next_step(i))] = in;
+        m_bearer[in] = -1;
+        m_bearer[outer_side(next_step(i))] = in;
       }
     }
 
@@ -150,17 +150,17 @@ public:
     std::vector<char> is_feature(nh, 0);
     for(int h = 0; h < nh; ++h)
     {
-      if(bearer[h] == -1)
+      if(m_bearer[h] == -1)
         continue;
-      char feature = m.is_feature[h];
-      int o = m.opposite[h];
-      while(o != -1 && bearer[o] == -1 && passage[o] != -1)
+      char feature = m_mesh.is_feature[h];
+      int o = m_mesh.opposite[h];
+      while(o != -1 && m_bearer[o] == -1 && m_passage[o] != -1)
       {
-        feature |= m.is_feature[passage[o]];
-        o = m.opposite[passage[o]];
+        feature |= m_mesh.is_feature[m_passage[o]];
+        o = m_mesh.opposite[m_passage[o]];
       }
-      opposite[bearer[h]] = o == -1 ? -1 : bearer[o];
-      is_feature[bearer[h]] = feature;
+      opposite[m_bearer[h]] = o == -1 ? -1 : m_bearer[o];
+      is_feature[m_bearer[h]] = feature;
     }
     return compact(corners, opposite, is_feature, merged, merged_vertices, weight);
   }
@@ -172,14 +172,14 @@ private:
                             std::vector<int>& merged_vertices, const std::vector<char>& weight)
   {
     Indexed_quad_mesh r;
-    const int nf = m.number_of_faces(), nv = m.number_of_vertices();
+    const int nf = m_mesh.number_of_faces(), nv = m_mesh.number_of_vertices();
     vertex_of.assign(nv, -1);
     vertex_from.clear();
     for(int v = 0; v < nv; ++v)
       if(merged.smallest(v) == v)
       {
         vertex_of[v] = r.number_of_vertices();
-        r.points.push_back(m.points[v]);
+        r.points.push_back(m_mesh.points[v]);
         vertex_from.push_back(v);
       }
     for(int v = 0; v < nv; ++v)
@@ -198,7 +198,7 @@ private:
       for(j = i; j < merged_vertices.size() && vertex_of[merged_vertices[j]] == v; ++j)
         if(weight[merged_vertices[j]] == w)
         {
-          sum = sum + (m.points[merged_vertices[j]] - ORIGIN);
+          sum = sum + (m_mesh.points[merged_vertices[j]] - ORIGIN);
           ++number;
         }
       r.points[v] = ORIGIN + sum / number;
@@ -206,11 +206,11 @@ private:
 
     face_of.assign(nf, -1);
     for(int f = 0, n = 0; f < nf; ++f)
-      if(!vanishes[f])
+      if(!m_vanishes[f])
         face_of[f] = n++;
     for(int f = 0; f < nf; ++f)
     {
-      if(vanishes[f])
+      if(m_vanishes[f])
         continue;
       std::array<int, 4> c;
       for(int k = 0; k < 4; ++k)

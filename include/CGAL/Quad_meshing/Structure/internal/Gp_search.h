@@ -39,12 +39,12 @@ public:
   };
 
   Gp_legality(const Indexed_quad_mesh& mesh, const Quad_vertex_rules& vertex_rules)
-    : m(mesh)
-    , rules(vertex_rules)
-    , crossed_at(mesh.number_of_halfedges(), -1)
-    , passages(mesh.number_of_faces())
-    , parent(mesh.number_of_vertices(), -1)
-    , group(mesh.number_of_vertices())
+    : m_mesh(mesh)
+    , m_rules(vertex_rules)
+    , m_crossed_at(mesh.number_of_halfedges(), -1)
+    , m_passages(mesh.number_of_faces())
+    , m_parent(mesh.number_of_vertices(), -1)
+    , m_group(mesh.number_of_vertices())
   {
   }
 
@@ -56,11 +56,11 @@ public:
     for(int i = 0; i < n && !conflict; ++i)
     {
       const Gp_step& s = path[i];
-      if(crossed_at[s.edge()] != -1)
-        conflict = Conflict{ i, crossed_at[s.edge()] };
+      if(m_crossed_at[s.edge()] != -1)
+        conflict = Conflict{ i, m_crossed_at[s.edge()] };
       else
       {
-        crossed_at[s.edge()] = i;
+        m_crossed_at[s.edge()] = i;
         if(i > 0 && path[i - 1].in != -1)
           conflict = pass(path[i - 1], s, i);
         if(!conflict && s.kind == gp_collapse && !merge(s))
@@ -81,7 +81,7 @@ public:
   bool may_collapse(const Gp_step& s)
   {
     const bool allowed = merge(s);
-    parent[s.left(m)] = parent[s.right(m)] = -1;
+    m_parent[s.left(m_mesh)] = m_parent[s.right(m_mesh)] = -1;
     return allowed;
   }
 
@@ -95,7 +95,7 @@ private:
   // The face between two steps; `at` is the number of the later one.
   Conflict pass(const Gp_step& enter, const Gp_step& leave, int at)
   {
-    Passages& p = passages[enter.in / 4];
+    Passages& p = m_passages[enter.in / 4];
     const Gp_passage kind = gp_passage(enter, leave);
     const int slot = p.kind[0] == gp_not_visited ? 0 : 1;
     if(slot == 1 && (p.kind[1] != gp_not_visited || !gp_passages_are_compatible(p.kind[0], p.side[0], kind, enter.in)))
@@ -113,32 +113,32 @@ private:
 
   int find(int v)
   {
-    if(parent[v] == -1)
+    if(m_parent[v] == -1)
     {
-      parent[v] = v;
-      const bool on_curve = rules.on_feature[v] || rules.on_border[v];
-      group[v] =
-        Group{ rules.is_special[v], rules.is_irregular[v] && !on_curve, rules.on_feature[v], rules.on_border[v] };
+      m_parent[v] = v;
+      const bool on_curve = m_rules.on_feature[v] || m_rules.on_border[v];
+      m_group[v] = Group{ m_rules.is_special[v], m_rules.is_irregular[v] && !on_curve, m_rules.on_feature[v],
+                          m_rules.on_border[v] };
     }
-    while(parent[v] != v)
-      v = parent[v] = parent[parent[v]];
+    while(m_parent[v] != v)
+      v = m_parent[v] = m_parent[m_parent[v]];
     return v;
   }
 
   bool merge(const Gp_step& s)
   {
-    const int a = find(s.left(m)), b = find(s.right(m));
+    const int a = find(s.left(m_mesh)), b = find(s.right(m_mesh));
     if(a == b)
       return true;
     const int h = s.edge();
-    const bool border = m.is_border(h), feature = m.is_feature[h] && !border;
-    parent[b] = a;
-    Group& g = group[a];
-    g.special += group[b].special;
-    g.irregular_inside += group[b].irregular_inside;
+    const bool border = m_mesh.is_border(h), feature = m_mesh.is_feature[h] && !border;
+    m_parent[b] = a;
+    Group& g = m_group[a];
+    g.special += m_group[b].special;
+    g.irregular_inside += m_group[b].irregular_inside;
     // a feature and the border that meet in a corner are told apart by the corner
-    g.features += group[b].features - (feature ? 1 : 0);
-    g.borders += group[b].borders - (border ? 1 : 0);
+    g.features += m_group[b].features - (feature ? 1 : 0);
+    g.borders += m_group[b].borders - (border ? 1 : 0);
     return g.special <= 1 && g.features <= 1 && g.borders <= 1 &&
            (g.features == 0 || g.borders == 0 || g.special == 1) &&
            (g.irregular_inside == 0 || (g.features == 0 && g.borders == 0));
@@ -148,19 +148,19 @@ private:
   {
     for(const Gp_step& s : path)
     {
-      crossed_at[s.edge()] = -1;
+      m_crossed_at[s.edge()] = -1;
       if(s.in != -1)
-        passages[s.in / 4] = Passages();
-      parent[s.left(m)] = parent[s.right(m)] = -1;
+        m_passages[s.in / 4] = Passages();
+      m_parent[s.left(m_mesh)] = m_parent[s.right(m_mesh)] = -1;
     }
   }
 
-  const Indexed_quad_mesh& m;
-  const Quad_vertex_rules& rules;
-  std::vector<int> crossed_at;    // per edge: the step that crosses it
-  std::vector<Passages> passages; // per face
-  std::vector<int> parent;        // per vertex: union-find of the merged ones, -1 if untouched
-  std::vector<Group> group;       // per root of the union-find
+  const Indexed_quad_mesh& m_mesh;
+  const Quad_vertex_rules& m_rules;
+  std::vector<int> m_crossed_at;    // per edge: the step that crosses it
+  std::vector<Passages> m_passages; // per face
+  std::vector<int> m_parent;        // per vertex: union-find of the merged ones, -1 if untouched
+  std::vector<Group> m_group;       // per root of the union-find
 };
 
 // Searches closed paths in the graph of states (thesis, section 10.1).
@@ -171,30 +171,30 @@ public:
   static constexpr int repairs = 60;
 
   Gp_search(const Indexed_quad_mesh& mesh, const Quad_vertex_rules& vertex_rules)
-    : m(mesh)
-    , legality(mesh, vertex_rules)
-    , forbidden(4 * mesh.number_of_halfedges(), 0)
-    , blocked(4 * mesh.number_of_halfedges(), 0)
-    , reached(4 * mesh.number_of_halfedges(), 0)
-    , origin(4 * mesh.number_of_halfedges())
+    : m_mesh(mesh)
+    , m_legality(mesh, vertex_rules)
+    , m_forbidden(4 * mesh.number_of_halfedges(), 0)
+    , m_blocked(4 * mesh.number_of_halfedges(), 0)
+    , m_reached(4 * mesh.number_of_halfedges(), 0)
+    , m_origin(4 * mesh.number_of_halfedges())
   {
-    const int n = m.number_of_halfedges();
+    const int n = m_mesh.number_of_halfedges();
     for(int h = 0; h < n; ++h)
     {
-      if(m.is_feature[h] || m.is_border(h))
-        forbidden[3 * h + gp_shift_left] = forbidden[3 * h + gp_shift_right] = 1;
-      if(!legality.may_collapse(gp_step(m, 3 * h + gp_collapse)))
-        forbidden[3 * h + gp_collapse] = forbidden[3 * n + h] = 1;
-      if(m.is_border(h))
-        entries.push_back(h);
+      if(m_mesh.is_feature[h] || m_mesh.is_border(h))
+        m_forbidden[3 * h + gp_shift_left] = m_forbidden[3 * h + gp_shift_right] = 1;
+      if(!m_legality.may_collapse(gp_step(m_mesh, 3 * h + gp_collapse)))
+        m_forbidden[3 * h + gp_collapse] = m_forbidden[3 * n + h] = 1;
+      if(m_mesh.is_border(h))
+        m_entries.push_back(h);
       else
-        forbidden[3 * n + h] = 1;
+        m_forbidden[3 * n + h] = 1;
     }
   }
 
   // Takes a state out of the graph for good.
-  void forbid(int state) { forbidden[state] = 1; }
-  bool is_forbidden(int state) const { return forbidden[state] != 0; }
+  void forbid(int state) { m_forbidden[state] = 1; }
+  bool is_forbidden(int state) const { return m_forbidden[state] != 0; }
 
   // Extends an open path, given as states each of which may follow the one before, to a closed one
   // that can be executed; empty if none is found. Without `cost`, the number of steps is kept small,
@@ -202,7 +202,7 @@ public:
   Gp_path close(const std::vector<int>& given, const std::function<double(int)>& cost = std::function<double(int)>())
   {
     for(int s : given)
-      if(forbidden[s])
+      if(m_forbidden[s])
         return Gp_path();
 
     std::vector<int> fixed = given, removed;
@@ -217,8 +217,8 @@ public:
         return Gp_path();
       path.clear();
       for(int s : states)
-        path.push_back(gp_step(m, s));
-      const Gp_legality::Conflict conflict = legality.check(path);
+        path.push_back(gp_step(m_mesh, s));
+      const Gp_legality::Conflict conflict = m_legality.check(path);
       if(!conflict)
         return path;
       if(conflict.earlier == -1)
@@ -252,25 +252,25 @@ private:
       set_blocked(s);
     for(std::size_t i = 0; i < fixed.size(); ++i)
     {
-      const Gp_step s = gp_step(m, fixed[i]);
+      const Gp_step s = gp_step(m_mesh, fixed[i]);
       for(int h : { s.out, s.in })
         if(h != -1)
           block_edge(h, -1);
       if(i == 0)
         continue;
-      const Gp_step before = gp_step(m, fixed[i - 1]);
+      const Gp_step before = gp_step(m_mesh, fixed[i - 1]);
       if(before.in == -1)
         continue;
       const Gp_passage passage = gp_passage(before, s);
       if(passage == gp_turn)
-        for(int h : { m.next(before.in), m.prev(before.in), m.across(before.in), before.in })
+        for(int h : { m_mesh.next(before.in), m_mesh.prev(before.in), m_mesh.across(before.in), before.in })
           block_edge(h, -1);
       else if(passage == gp_straight_shift)
-        for(int h : { m.next(before.in), m.prev(before.in) })
+        for(int h : { m_mesh.next(before.in), m_mesh.prev(before.in) })
           block_edge(h, gp_collapse);
     }
     const int start = fixed.front();
-    const Gp_step first = gp_step(m, start);
+    const Gp_step first = gp_step(m_mesh, start);
     if(first.out != -1)
     {
       const int base = 4 * (first.out / 4);
@@ -278,49 +278,49 @@ private:
         for(int kind = 0; kind < 3; ++kind)
           set_blocked(3 * h + kind);
     }
-    target = start;
+    m_target = start;
   }
 
   // Removes the ways over an edge, but for one kind.
   void block_edge(int h, int but)
   {
-    for(int side : { h, m.opposite[h] })
+    for(int side : { h, m_mesh.opposite[h] })
       if(side != -1)
       {
         for(int kind = 0; kind < 3; ++kind)
           if(kind != but)
             set_blocked(3 * side + kind);
         if(but != gp_collapse)
-          set_blocked(3 * m.number_of_halfedges() + side);
+          set_blocked(3 * m_mesh.number_of_halfedges() + side);
       }
   }
 
   void set_blocked(int s)
   {
-    if(!blocked[s])
+    if(!m_blocked[s])
     {
-      blocked[s] = 1;
-      blocked_states.push_back(s);
+      m_blocked[s] = 1;
+      m_blocked_states.push_back(s);
     }
   }
 
   void unblock()
   {
-    for(int s : blocked_states)
-      blocked[s] = 0;
-    blocked_states.clear();
+    for(int s : m_blocked_states)
+      m_blocked[s] = 0;
+    m_blocked_states.clear();
   }
 
-  bool is_open(int s) const { return s == target || !(blocked[s] || forbidden[s]); }
+  bool is_open(int s) const { return s == m_target || !(m_blocked[s] || m_forbidden[s]); }
 
   // Calls f for the states that may follow one.
   template <typename Function>
   void for_each_successor(int state, const Function& f) const
   {
-    const Gp_step s = gp_step(m, state);
+    const Gp_step s = gp_step(m_mesh, state);
     if(s.in == -1)
-      for(int h : entries)
-        f(3 * m.number_of_halfedges() + h);
+      for(int h : m_entries)
+        f(3 * m_mesh.number_of_halfedges() + h);
     else
       for_each_next_gp_state(s, f);
   }
@@ -328,7 +328,7 @@ private:
   bool append_way(std::vector<int>& states, int last)
   {
     std::vector<int> way;
-    for(int s = last; s != states.back(); s = origin[s])
+    for(int s = last; s != states.back(); s = m_origin[s])
       way.push_back(s);
     states.insert(states.end(), way.rbegin(), way.rend());
     return true;
@@ -337,23 +337,23 @@ private:
   bool leads_to_target(int state) const
   {
     bool found = false;
-    for_each_successor(state, [&](int next) { found = found || next == target; });
+    for_each_successor(state, [&](int next) { found = found || next == m_target; });
     return found;
   }
 
   // Appends a way with as few steps as possible from the last state to one before the first.
   bool shortest(std::vector<int>& states)
   {
-    ++round;
+    ++m_round;
     std::vector<int> front(1, states.back());
-    reached[states.back()] = round;
+    m_reached[states.back()] = m_round;
     bool outside_done = false;
     for(std::size_t i = 0; i < front.size(); ++i)
     {
       const int state = front[i];
       if(leads_to_target(state))
         return append_way(states, state);
-      if(gp_step(m, state).in == -1)
+      if(gp_step(m_mesh, state).in == -1)
       {
         if(outside_done)
           continue;
@@ -362,10 +362,10 @@ private:
       for_each_successor(state,
                          [&](int next)
                          {
-                           if(is_open(next) && reached[next] != round)
+                           if(is_open(next) && m_reached[next] != m_round)
                            {
-                             reached[next] = round;
-                             origin[next] = state;
+                             m_reached[next] = m_round;
+                             m_origin[next] = state;
                              front.push_back(next);
                            }
                          });
@@ -375,10 +375,10 @@ private:
 
   bool cheapest(std::vector<int>& states, const std::function<double(int)>& cost)
   {
-    ++round;
+    ++m_round;
     typedef std::pair<double, int> Item;
     std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
-    std::vector<double> distance(4 * m.number_of_halfedges(), (std::numeric_limits<double>::max)());
+    std::vector<double> distance(4 * m_mesh.number_of_halfedges(), (std::numeric_limits<double>::max)());
     distance[states.back()] = 0;
     queue.push(Item(0, states.back()));
     while(!queue.empty())
@@ -386,9 +386,9 @@ private:
       const Item item = queue.top();
       queue.pop();
       const int state = item.second;
-      if(reached[state] == round)
+      if(m_reached[state] == m_round)
         continue;
-      reached[state] = round;
+      m_reached[state] = m_round;
       if(leads_to_target(state))
         return append_way(states, state);
       for_each_successor(state,
@@ -400,7 +400,7 @@ private:
                            if(d < distance[next])
                            {
                              distance[next] = d;
-                             origin[next] = state;
+                             m_origin[next] = state;
                              queue.push(Item(d, next));
                            }
                          });
@@ -408,13 +408,13 @@ private:
     return false;
   }
 
-  const Indexed_quad_mesh& m;
-  Gp_legality legality;
-  std::vector<char> forbidden, blocked; // per state: out of the graph for good, for one search
-  std::vector<int> blocked_states;
-  std::vector<int> reached, origin; // per state: the search that reached it, from where
-  std::vector<int> entries;         // border halfedges
-  int round = 0, target = -1;
+  const Indexed_quad_mesh& m_mesh;
+  Gp_legality m_legality;
+  std::vector<char> m_forbidden, m_blocked; // per state: out of the graph for good, for one search
+  std::vector<int> m_blocked_states;
+  std::vector<int> m_reached, m_origin; // per state: the search that reached it, from where
+  std::vector<int> m_entries;           // border halfedges
+  int m_round = 0, m_target = -1;
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_GOALS_H
 #define CGAL_QUAD_MESHING_STRUCTURE_INTERNAL_LAYOUT_GOALS_H
 
+#include <CGAL/Quad_meshing/Layout/Layout_weights.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 
@@ -24,38 +25,27 @@ namespace internal {
 class Layout_goals
 {
 public:
-  // What is tolerated: parts of the helices and of the patches of the input, and a part of the quads that is lost.
-  static constexpr double tolerated_helices = 0.2, tolerated_patches = 0.33, tolerated_loss = 0.3;
-  // A number of helices in the input below which this is the one that counts.
-  static constexpr int few_helices = 5;
-  // By which factor the mean deviation of the corners from right angles may grow; the square of a smaller one than so
-  // many degrees may grow by as much as that of this one.
-  static constexpr double tolerated_growth = 1.35, least_deviation = 5;
-  // Part of the quads of the input below which a target is no goal.
-  static constexpr double least_counted = 0.25;
-  // How many times too many quads there may be in a layout that is looked at, and the price of each part that is too
-  // many.
-  static constexpr double looked_at = 1.15, surplus_weight = 30;
-  // Weight of each part, and how much more weighs what is above one: helices and patches come first.
-  static constexpr double weight = 0.5, excess_weight = 6, loss_excess_weight = 6, neglected_loss_excess_weight = 2,
-                          shape_excess_weight = 3;
+  typedef Layout_weights Weights;
+
+  // How many times too many quads there may be in a layout that is looked at.
+  static constexpr double looked_at = 1.15;
 
   Layout_goals(const Quad_mesh_structure& input, const Quad_mesh_quality& quality, int most_quads)
-    : m_most_helices(tolerated_helices * (std::max)(few_helices, static_cast<int>(input.number_of_helices)))
-    , m_most_patches(tolerated_patches * input.number_of_patches)
+    : m_most_helices(Weights::helices * (std::max)(Weights::least_helices, static_cast<int>(input.number_of_helices)))
+    , m_most_patches(Weights::patches * input.number_of_patches)
     , m_most_quads(most_quads)
-    , m_counts_quads(most_quads >= least_counted * input.number_of_quads)
+    , m_counts_quads(most_quads >= Weights::least_target * input.number_of_quads)
   {
-    const double d = (std::max)(least_deviation, quality.mean_angle_deviation);
+    const double d = (std::max)(Weights::least_deviation, quality.mean_angle_deviation);
     m_squared_deviation = quality.mean_angle_deviation * quality.mean_angle_deviation;
-    m_most_squared_growth = (tolerated_growth * tolerated_growth - 1) * d * d;
+    m_most_squared_growth = (Weights::growth * Weights::growth - 1) * d * d;
   }
 
   // The price of what can be counted.
   double price_of_structure(double helices, double patches, double quads) const
   {
-    return price(helices / m_most_helices, excess_weight) + price(patches / m_most_patches, excess_weight) +
-           price_of_quads(quads);
+    const double above = Weights::helices_and_patches_above_goal;
+    return price(helices / m_most_helices, above) + price(patches / m_most_patches, above) + price_of_quads(quads);
   }
 
   // With a target far below the input, how many quads there are does not matter.
@@ -64,18 +54,18 @@ public:
     if(!m_counts_quads)
       return 0;
     const double loss = 1 - quads / m_most_quads;
-    return loss < 0 ? -loss * surplus_weight : price(loss / tolerated_loss, m_loss_excess_weight);
+    return loss < 0 ? -loss * Weights::surplus : price(loss / Weights::loss, m_loss_above_goal);
   }
 
   // The price of the shape, by what is added to the square of the mean deviation, in squared degrees.
   double price_of_growth(double squared) const
   {
-    return price((std::max)(0., squared) / m_most_squared_growth, shape_excess_weight);
+    return price((std::max)(0., squared) / m_most_squared_growth, Weights::growth_above_goal);
   }
 
   bool are_reached(double helices, double patches, double quads, double squared_growth) const
   {
-    return helices <= m_most_helices && patches <= m_most_patches && price_of_quads(quads) <= weight &&
+    return helices <= m_most_helices && patches <= m_most_patches && price_of_quads(quads) <= Weights::below_goal &&
            squared_growth <= m_most_squared_growth;
   }
 
@@ -95,20 +85,20 @@ public:
   }
 
   // From now on lost quads cost less.
-  void neglect_loss() { m_loss_excess_weight = neglected_loss_excess_weight; }
+  void neglect_loss() { m_loss_above_goal = Weights::loss_above_goal_when_neglected; }
 
   int most_quads() const { return m_most_quads; }
 
 private:
-  static double price(double part, double weight_of_excess)
+  static double price(double part, double above_goal)
   {
-    return weight * part + weight_of_excess * (std::max)(0., part - 1);
+    return Weights::below_goal * part + above_goal * (std::max)(0., part - 1);
   }
 
   double m_most_helices, m_most_patches;
   int m_most_quads;
   bool m_counts_quads;
-  double m_loss_excess_weight = loss_excess_weight;
+  double m_loss_above_goal = Weights::loss_above_goal;
   double m_squared_deviation, m_most_squared_growth; // of the input, and what may be added
 };
 

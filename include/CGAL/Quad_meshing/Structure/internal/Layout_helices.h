@@ -55,7 +55,7 @@ public:
     std::vector<int> largest(m_helices.size(), Layout_curves::any_multiplicity);
     for(std::size_t c = 0; c < m_helices.size(); ++c)
       if(m_helices[c] > 0)
-        largest[c] = (std::max)(1, static_cast<int>(Layout_goals::tolerated_helices * helices_of_input / helices));
+        largest[c] = (std::max)(1, static_cast<int>(Layout_weights::helices * helices_of_input / helices));
     return largest;
   }
 

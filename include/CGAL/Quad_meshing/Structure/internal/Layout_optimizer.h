@@ -169,7 +169,7 @@ private:
     {
       return !is_possible()
                ? Layout_cost::forbidden
-               : m_goals.price_of_growth(Layout_cost::squared_degrees * m_search->cost().distortion()(length)) +
+               : m_goals.price_of_growth(Layout_weights::squared_degrees * m_search->cost().distortion()(length)) +
                    m_goals.price_of_structure(helices.number_of_helices(multiplicity), 0,
                                               quantization.number_of_quads(length));
     };

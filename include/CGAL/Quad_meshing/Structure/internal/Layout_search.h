@@ -36,25 +36,18 @@ namespace internal {
 class Layout_cost
 {
 public:
-  // Weights of what is no goal: helices that may cross themselves, as a part of those of the input, and features that
-  // are not followed.
-  static constexpr double crossing_weight = 0.5, feature_weight = 5;
-  // The distortion of a layout, as a part of one, that costs the corners of its quads a squared degree.
-  static constexpr double squared_degrees = 200;
   // Largest number of quads of a layout, as a multiple of that of the first one: the smaller number or more, so many
   // that there are about as many as in the input when each curve is replaced by two, but not more than the larger
   // number; and the factor when none has reached the goals.
   static constexpr double least_growth = 1.3, largest_growth = 2, twice_as_fine = Layout_goals::looked_at / 4,
                           more_quads = 1.25;
-  // Factor of the distortion when the shape was not accepted.
-  static constexpr double caution = 2;
 
   static constexpr double forbidden = (std::numeric_limits<double>::max)();
 
   Layout_cost(const Indexed_quad_mesh& input, const Quad_mesh_structure& structure, const Layout_goals& goals,
               const Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed,
               Any_visitor& visitor)
-    : m(input)
+    : m_mesh(input)
     , m_structure(structure)
     , m_goals(goals)
     , m_quantization(quantization)
@@ -74,7 +67,7 @@ public:
                                             : (std::numeric_limits<int>::max)();
     const double first = m_quantization.number_of_quads(m_quantization.length);
     m_largest_quads =
-      (std::max)(least_growth * first, (std::min)(largest_growth * first, twice_as_fine * m.number_of_faces()));
+      (std::max)(least_growth * first, (std::min)(largest_growth * first, twice_as_fine * m_mesh.number_of_faces()));
   }
 
   // From now on layouts may have more quads, and lost quads count less.
@@ -85,7 +78,7 @@ public:
   }
 
   // From now on layouts may be distorted less.
-  void avoid_distortion() { m_caution *= caution; }
+  void avoid_distortion() { m_caution *= Layout_weights::caution; }
 
   // The cost of the layout, or some number above `limit` if it is above that.
   double operator()(double limit) const
@@ -96,7 +89,7 @@ public:
     const Layout_realization r = realization();
     const Layout_helices helices(r, curves);
     const Density d = density(curves, helices, static_cast<int>(Layout_goals::looked_at * m_goals.most_quads()));
-    double cost = d.price + feature_weight * curves.feature_misfit(m_bends, d.multiplicities);
+    double cost = d.price + Layout_weights::features * curves.feature_misfit(m_bends, d.multiplicities);
     if(cost > limit)
       return cost;
     const int patches = number_of_base_complex_patches(r.mesh);
@@ -106,8 +99,8 @@ public:
     if(cost > limit)
       return cost;
     const int crossings =
-      (std::max)(Layout_goals::few_helices, static_cast<int>(m_structure.number_of_helices_with_crossings));
-    return cost + crossing_weight * helices.number_of_helices_with_crossings(d.multiplicities) / crossings;
+      (std::max)(Layout_weights::least_helices, static_cast<int>(m_structure.number_of_helices_with_crossings));
+    return cost + Layout_weights::crossings * helices.number_of_helices_with_crossings(d.multiplicities) / crossings;
   }
 
   // Whether the layout reaches all goals.
@@ -131,7 +124,7 @@ public:
   Density density(Layout_curves& curves, const Layout_helices& helices, int most_quads) const
   {
     const Density free = density_of(curves, helices, curves.multiplicities_within(most_quads));
-    if(free.helices <= Layout_goals::tolerated_helices * m_structure.number_of_helices)
+    if(free.helices <= Layout_weights::helices * m_structure.number_of_helices)
       return free;
     curves.limit_multiplicities(helices.largest_multiplicities(m_structure.number_of_helices));
     const Density limited = density_of(curves, helices, curves.multiplicities_within(most_quads));
@@ -149,7 +142,7 @@ private:
     const std::vector<int> length = curves.lengths(multiplicities);
     d.helices = helices.number_of_helices(multiplicities);
     d.quads = m_quantization.number_of_quads(length);
-    d.growth = squared_degrees * m_distortion(length);
+    d.growth = Layout_weights::squared_degrees * m_distortion(length);
     d.price = m_goals.price_of_growth(m_caution * d.growth);
     d.multiplicities = std::move(multiplicities);
     return d;
@@ -157,10 +150,10 @@ private:
 
   Layout_realization realization() const
   {
-    return Layout_realization(m, m_quantization, m_quantization.length, m_is_fixed, Layout_realization::TOPOLOGY);
+    return Layout_realization(m_mesh, m_quantization, m_quantization.length, m_is_fixed, Layout_realization::TOPOLOGY);
   }
 
-  const Indexed_quad_mesh& m;
+  const Indexed_quad_mesh& m_mesh;
   const Quad_mesh_structure& m_structure; // of this mesh
   Layout_goals m_goals;
   const Layout_quantization& m_quantization;
@@ -204,8 +197,6 @@ public:
   static constexpr double easy_arcs = 200, most_effort = 2;
   // How many layouts of each round are kept for the case that the best one does not fit the shape.
   static constexpr int largest_number_of_runners_up = 24;
-  // Largest cost of an edge of the input on a path that is changed; it is varied to find different paths.
-  static constexpr double largest_edge_cost = 0.1;
 
   Layout_search(const Indexed_quad_mesh& mesh, const Quad_mesh_structure& structure, const Layout_goals& goals,
                 Layout_quantization& quantization, const Feature_bends& bends, const std::vector<char>& is_fixed,
@@ -303,7 +294,8 @@ private:
         const int arc = m_random.get_int(0, static_cast<int>(length.size()));
         const int by = m_random.get_bool() ? 1 : -1;
         changed = m_quantization.change(
-          arc, by, [&](std::size_t a, int change) { return change * price[a]; }, largest_edge_cost * r * r, false);
+          arc, by, [&](std::size_t a, int change) { return change * price[a]; }, Layout_weights::largest_edge * r * r,
+          false);
       }
       const double temperature =
         first_temperature * std::pow(last_temperature / first_temperature, double(i) / attempts);

@@ -1,0 +1,339 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+// The stages of quadrangulate(), called one after the other, give its mesh, bit for bit; and every plan of
+// default_grid_map_plans() has a mesh that needs it.
+
+#undef NDEBUG
+#include "test_cases.h"
+#include "test_meshes.h"
+
+#include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
+#include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
+#include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/copy_components.h>
+#include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace QM = CGAL::Quad_meshing;
+namespace parameters = CGAL::parameters;
+
+typedef test_meshes::Kernel Kernel;
+typedef QM::Quadrangulation_mesh Mesh;
+typedef QM::Quadrangulation_result Result;
+
+namespace {
+
+// The vertices of a face, from the one with the smallest number on.
+std::vector<Mesh::Vertex_index> corners(const Mesh& mesh, Mesh::Face_index f)
+{
+  std::vector<Mesh::Vertex_index> result;
+  for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+    result.push_back(v);
+  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Whether two meshes have the same points and faces, in the same order.
+bool are_equal(const Mesh& a, const Mesh& b)
+{
+  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for(Mesh::Vertex_index v : a.vertices())
+    if(a.point(v) != b.point(v))
+      return false;
+  for(Mesh::Face_index f : a.faces())
+    if(corners(a, f) != corners(b, f))
+      return false;
+  return true;
+}
+
+// What lies before the field.
+struct Prepared
+{
+  Mesh::Property_map<Mesh::Face_index, std::optional<Kernel::Vector_3>> direction;
+  Mesh::Property_map<Mesh::Face_index, double> weight;
+  double releasable_length = 0;
+};
+
+Prepared prepare(QM::Quadrangulation_surface& s, double length)
+{
+  Prepared p;
+  p.releasable_length = QM::detect_feature_edges(s.mesh, 40, length, s.is_feature).length;
+  QM::split_for_alignment(s.mesh, s.mesh.points(), s.is_feature, true, s.origin, 1.5 * length);
+  p.direction = s.mesh.add_property_map<Mesh::Face_index, std::optional<Kernel::Vector_3>>("f:direction").first;
+  p.weight = s.mesh.add_property_map<Mesh::Face_index, double>("f:weight", 0).first;
+  QM::curvature_directions(s.mesh, length, p.direction, p.weight, parameters::edge_is_constrained_map(s.is_feature));
+  return p;
+}
+
+void smooth(QM::Quadrangulation_quads& q, const QM::Quadrangulation_surface& s)
+{
+  QM::smooth_quad_mesh(q.mesh, s.mesh, parameters::smooth_globally(true).edge_is_constrained_map(q.is_feature),
+                       parameters::edge_is_constrained_map(s.is_feature));
+}
+
+// With all plans.
+Mesh by_stages(const Mesh& tm, double number_of_quads)
+{
+  Mesh result;
+  const QM::Component_copies components = QM::copy_components(tm);
+  for(std::size_t i = 0; i < components.surfaces.size(); ++i)
+  {
+    QM::Quadrangulation_surface& s = *components.surfaces[i];
+    const double length = components.edge_length_in(i, components.edge_length(number_of_quads));
+    const Prepared p = prepare(s, length);
+    const QM::Grid_map_search_result found = QM::search_grid_map(
+      s, p.direction, p.weight, { length, components.areas[i] / (length * length), p.releasable_length });
+    assert(found.is_valid() && found.figures.quads == found.quads->mesh.number_of_faces());
+    smooth(*found.quads, s);
+    result += found.quads->mesh;
+  }
+  return result;
+}
+
+// With the first plan, function by function.
+Mesh by_functions(const Mesh& tm, double number_of_quads)
+{
+  Mesh result;
+  const QM::Component_copies components = QM::copy_components(tm);
+  for(std::size_t i = 0; i < components.surfaces.size(); ++i)
+  {
+    QM::Quadrangulation_surface& s = *components.surfaces[i];
+    const double length = components.edge_length_in(i, components.edge_length(number_of_quads));
+    const Prepared p = prepare(s, length);
+    const auto np = parameters::target_edge_length(length).edge_is_constrained_map(s.is_feature);
+    assert(QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index,
+                                  parameters::target_edge_length(length)
+                                    .face_direction_map(p.direction)
+                                    .face_direction_weight_map(p.weight)
+                                    .edge_is_constrained_map(s.is_feature))
+             .is_valid());
+    QM::Seamless_map map(s.mesh, s.angle, s.period_jump, s.index, np);
+    const double fitting_length = std::sqrt(map.number_of_quads() / (components.areas[i] / (length * length)));
+    assert(map.round(s.mesh, fitting_length, s.uv).is_valid());
+    QM::Quadrangulation_quads q;
+    assert(QM::extract_quad_mesh(s.mesh, s.uv, q.mesh, parameters::face_location_map(q.location)).is_valid());
+    QM::transfer_feature_edges(s.mesh, s.is_feature, q.mesh, q.location, q.is_feature);
+    smooth(q, s);
+    result += q.mesh;
+  }
+  return result;
+}
+
+// Compares the stages with the whole line; returns how many maps that took.
+int compare(const std::string& name, const Mesh& tm, double number_of_quads)
+{
+  QM::Quadrangulation q(tm, tm.points()); // quadrangulate() copies its quads
+  q.options.target_number_of_quads = number_of_quads;
+  q.options.work_on_input = true; // as the stages do
+  const Result r = q.run();
+  const Mesh& whole = q.quads().mesh;
+  std::cout << name << ": " << r.message << " " << r.quads << " quads, " << r.parameterization_attempts << " maps"
+            << std::endl;
+  assert(r.is_valid());
+  assert(are_equal(whole, by_stages(tm, number_of_quads)));
+  if(r.parameterization_attempts == static_cast<int>(r.components))
+    assert(are_equal(whole, by_functions(tm, number_of_quads)));
+  return r.parameterization_attempts;
+}
+
+Mesh mesh_of(const test_meshes::Soup& soup) { return test_meshes::make_mesh(soup); }
+
+void test_stages()
+{
+  const test_meshes::Soup ball = test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1);
+  assert(compare("cube", mesh_of(test_meshes::cube(7)), 600) == 1);
+  compare("ball", mesh_of(ball), 400);
+  compare("torus", mesh_of(test_meshes::torus(40, 20)), 700);
+  compare("square with a hole", mesh_of(test_meshes::grid_with_hole(14, 14, 5, 9, 5, 9)), 500);
+}
+
+// Components share the length, but for those that are too small.
+void test_components()
+{
+  const test_meshes::Soup ball = test_meshes::icosphere(3);
+  auto small = [](const Kernel::Point_3& p) { return Kernel::Point_3(10 + p.x() / 30, p.y() / 30, p.z() / 30); };
+  compare("two balls", mesh_of(test_meshes::joined(ball, test_meshes::mapped(ball, small))), 600);
+}
+
+void test_data()
+{
+  for(const auto& model : { std::make_pair("fandisk", 2000.), std::make_pair("elephant", 1500.) })
+  {
+    const std::string filename = CGAL::data_file_path(std::string("meshes/") + model.first + ".off");
+    Mesh tm;
+    if(std::ifstream(filename) && CGAL::IO::read_polygon_mesh(filename, tm))
+      compare(model.first, tm, model.second);
+    else
+      std::cout << "no " << model.first << ".off: skipped" << std::endl;
+  }
+}
+
+// A cone with n sides of two triangles, from the center of its bottom to its tip. Its sharp edges meet at the tip in
+// narrow angles.
+test_meshes::Soup sharp_cone(std::size_t n)
+{
+  test_meshes::Soup soup;
+  soup.points = { Kernel::Point_3(0, 0, 1), Kernel::Point_3(0, 0, 0) };
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(n);
+    soup.points.emplace_back(std::cos(angle) * 0.5, std::sin(angle) * 0.5, 0);
+  }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t a = 2 + i, b = 2 + (i + 1) % n;
+    soup.triangles.push_back({ { 0, a, b } });
+    soup.triangles.push_back({ { 1, b, a } });
+  }
+  return soup;
+}
+
+struct Request
+{
+  double number_of_quads = 0, edge_length = 0;
+  unsigned int seed = 0;
+};
+
+Result run(const Mesh& tm, const Request& request, const std::string& without, Mesh& quads)
+{
+  QM::Quadrangulation q(tm, tm.points());
+  QM::Quadrangulation_options& o = q.options;
+  o.target_number_of_quads = request.number_of_quads;
+  o.target_edge_length = request.edge_length;
+  o.random_seed = request.seed;
+  o.work_on_input = true;
+  o.plans.erase(std::remove_if(o.plans.begin(), o.plans.end(),
+                               [&](const QM::Grid_map_plan_rule& rule) { return rule.name == without; }),
+                o.plans.end());
+  assert(o.plans.size() + !without.empty() == QM::default_grid_map_plans().size());
+  const Result r = q.run();
+  quads = q.quads().mesh;
+  return r;
+}
+
+// Without the plan there is no valid mesh, or one that follows less of the features, has a number of quads farther from
+// the one asked for, or edges of a length farther from it.
+void check_plan(const std::string& name, const Mesh& tm, const Request& request)
+{
+  Mesh quads;
+  const Result with = run(tm, request, "", quads), without = run(tm, request, name, quads);
+  auto print = [](const Result& r)
+  {
+    std::cout << QM::status_name(r.status) << ", " << r.quads << " quads, " << r.released_feature_share
+              << " released, length " << r.target_edge_length;
+  };
+  std::cout << name << ": ";
+  print(with);
+  std::cout << "; without it ";
+  print(without);
+  std::cout << std::endl;
+  assert(with.is_valid());
+  auto deviation = [&](const Result& r)
+  {
+    return request.number_of_quads > 0 ? std::abs(std::log(static_cast<double>(r.quads) / request.number_of_quads))
+                                       : std::abs(std::log(r.target_edge_length / request.edge_length));
+  };
+  assert(!without.is_valid() || without.released_feature_share > with.released_feature_share ||
+         (without.released_feature_share == with.released_feature_share && deviation(without) > deviation(with)));
+}
+
+void test_plans_for_folded_maps()
+{
+  check_plan("other length", mesh_of(sharp_cone(6)), { 150 });
+  check_plan("other field", mesh_of(test_meshes::sheared_cube(4, 1)), { 150 });
+  check_plan("release within 2", mesh_of(sharp_cone(6)), { 500 });
+  check_plan("release within 4", mesh_of(sharp_cone(7)), { 1000 });
+  check_plan("release within 8", mesh_of(sharp_cone(7)), { 1800 });
+}
+
+// A tube with two cells around has none that is a mesh.
+void test_plans_for_coarse_grids()
+{
+  const Mesh tube = mesh_of(test_meshes::cylinder(40, 40, false, 1, 10));
+  check_plan("finer", tube, { 0, 2 * CGAL_PI / 2.4 });
+  check_plan("still finer", tube, { 0, 2 * CGAL_PI / 2.3 });
+}
+
+void test_plans_for_the_number()
+{
+  const Mesh cone = mesh_of(sharp_cone(8));
+  for(const char* name : { "nearer number", "still nearer number" })
+    check_plan(name, cone, { 500 });
+}
+
+// The seed draws the length of "other length"; the same seed draws the same.
+void test_random_seed()
+{
+  const Mesh cone = mesh_of(sharp_cone(6));
+  Mesh first, again, other;
+  assert(run(cone, { 150, 0, 1 }, "", first).is_valid());
+  assert(run(cone, { 150, 0, 1 }, "", again).is_valid());
+  const Result r = run(cone, { 150, 0, 2 }, "", other);
+  assert(are_equal(first, again));
+  assert(!r.is_valid() || !are_equal(first, other));
+}
+
+// Where the first map has folded triangles, weighting the energy anew changes it, and leaves no more of them.
+void test_stiffening_iterations()
+{
+  const QM::Component_copies components = QM::copy_components(mesh_of(sharp_cone(6)));
+  QM::Quadrangulation_surface& s = *components.surfaces.front();
+  const double length = components.edge_length(500);
+  prepare(s, length);
+  const auto np = parameters::target_edge_length(length).edge_is_constrained_map(s.is_feature);
+  QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index, np);
+  std::vector<std::vector<Kernel::Point_2>> maps;
+  std::vector<std::size_t> folded;
+  for(unsigned int n : { 0u, 5u })
+  {
+    const auto r = QM::integer_grid_map(
+      s.mesh, s.angle, s.period_jump, s.index, s.uv,
+      parameters::stiffening_iterations(n).target_edge_length(length).edge_is_constrained_map(s.is_feature));
+    maps.emplace_back();
+    for(Mesh::Halfedge_index h : s.mesh.halfedges())
+      maps.back().push_back(s.uv[h]);
+    folded.push_back(r.folded_faces.size());
+  }
+  std::cout << "folded triangles without and with stiffening: " << folded[0] << ", " << folded[1] << std::endl;
+  assert(maps[0] != maps[1] && folded[1] <= folded[0] && folded[0] > 0);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return run_cases(argc, argv,
+                   { { "stages", test_stages },
+                     { "components", test_components },
+                     { "data", test_data },
+                     { "plans_for_folded_maps", test_plans_for_folded_maps },
+                     { "plans_for_coarse_grids", test_plans_for_coarse_grids },
+                     { "plans_for_the_number", test_plans_for_the_number },
+                     { "random_seed", test_random_seed },
+                     { "stiffening_iterations", test_stiffening_iterations } });
+}
