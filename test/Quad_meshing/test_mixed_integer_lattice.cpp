@@ -49,7 +49,7 @@ Eigen::MatrixXd flat_factor(CGAL::Random& random, int m)
   {
     R(i, i) = random.get_double(1.1, 1.5);
     for(int j = i + 1; j < m; ++j)
-      R(i, j) = R(i, i) * random.get_double(-0.5, 0.5);
+      R(i, j) = R(i, i) * random.get_double(-0.2, 0.2);
   }
   return R;
 }
@@ -109,7 +109,7 @@ void sublattice_bounds()
 void tested_subtrees()
 {
   CGAL::Random random(7);
-  for(int m : { 20, 76 })
+  for(int m : { 20, 52 })
   {
     const Eigen::MatrixXd R = flat_factor(random, m);
     const Eigen::VectorXd target = random_target(random, m);

@@ -92,15 +92,14 @@ public:
       m_pruning[k] = exponent > 0. ? std::pow(double(m_size - k) / m_size, exponent) : 1.;
   }
 
-  // Tests subtrees from now on. With an `optimism` above zero, also those are left out of which this part of the
-  // bound more would prove that they hold no better point: a search for points, not for a proof.
+  // Tests subtrees from now on, or, with a null pointer, no more.
   void set_test(Subtree_test* test)
   {
     m_test = test;
     for(int k = 0; k <= m_size; ++k)
-      m_threshold[k] = m_test->has_level(k) ? radius_of_subtree(k, m_test->nodes_per_test(k)) : infinity;
+      m_threshold[k] =
+        m_test != nullptr && m_test->has_level(k) ? radius_of_subtree(k, m_test->nodes_per_test(k)) : infinity;
   }
-  void set_optimism(double optimism) { m_optimism = optimism; }
 
   // The number of nodes to expect without pruning: level by level, the volume of the ball of the radius over the
   // volume of the lattice cell (Gaussian heuristic). Each point inside also costs the visits outside that end the
@@ -313,7 +312,7 @@ private:
   bool is_far(int k, const std::vector<double>& z, double squared_radius, long long& nodes)
   {
     const double before = m_test->nodes();
-    const bool result = m_test->exceeds(k, z, squared_radius / (1. + m_optimism));
+    const bool result = m_test->exceeds(k, z, squared_radius);
     nodes += static_cast<long long>(m_test->nodes() - before);
     return result;
   }
@@ -328,7 +327,6 @@ private:
   std::vector<double> m_pruning;
   Subtree_test* m_test = nullptr;
   std::vector<double> m_threshold; // of the squared radius left, per level, from which on a subtree is tested
-  double m_optimism = 0.;
   std::vector<double> m_best;
   bool m_found = false;
   double m_nodes = 0.;

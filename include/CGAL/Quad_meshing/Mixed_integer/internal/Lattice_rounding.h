@@ -112,7 +112,8 @@ private:
     const double share = 0.3;                 // of all nodes
     const int smallest = 24, least_fixed = 8; // subtrees over fewer integers are searched before a test ends
     const int m = static_cast<int>(m_target.size());
-    if(enumeration.expected_nodes(m_radius) < large_tree)
+    const double plain_nodes = enumeration.expected_nodes(m_radius);
+    if(plain_nodes < large_tree)
       return;
     for(int spacing : { 2, 4, 8, 16 })
     {
@@ -128,6 +129,9 @@ private:
       m_test.reset(new Subtree_bounds(m_reduction.factor(), enumeration.center(), sizes, m_go_further));
       m_test_nodes = m_test->nodes();
       enumeration.set_test(m_test.get());
+      // In lattices that are far from orthogonal the bounds may be too weak.
+      if(enumeration.expected_nodes(m_radius) > plain_nodes)
+        enumeration.set_test(nullptr);
       return;
     }
   }
