@@ -75,14 +75,17 @@ public:
     }
 
     if(!wants_bound)
-      search(enumeration, best);
+      search(enumeration, best, m_maximum_nodes);
     else
     {
-      const double probe_fraction = 0.01;
+      // A short search often finds the optimum, and shrinks what is to be prepared and proven.
+      const double probe_fraction = 0.01, short_search = 2e6, short_fraction = 0.1;
+      if(!is_within_reach(enumeration, short_search))
+        search(enumeration, best, (std::min)(short_search, short_fraction * m_maximum_nodes));
       prepare_test(enumeration);
       prove(enumeration, best, probe_fraction * m_maximum_nodes);
       if(m_bound < m_radius && !is_within_reach(enumeration, m_maximum_nodes - nodes(enumeration)))
-        search(enumeration, best);
+        search(enumeration, best, m_maximum_nodes - nodes(enumeration));
       prove(enumeration, best, m_maximum_nodes);
     }
 
@@ -137,20 +140,21 @@ private:
   }
 
   // Searches trees pruned less and less, as long as the next one could not as well be searched as a whole.
-  void search(Lattice_enumeration& enumeration, Eigen::VectorXd& best)
+  void search(Lattice_enumeration& enumeration, Eigen::VectorXd& best, double maximum_nodes)
   {
+    const double end = nodes(enumeration) + maximum_nodes;
     const double pruning_exponents[] = { 1., 0.7, 0.5, 0.35 };
     const double pruned_fraction = 0.12; // of all nodes, per pruned search
     for(double exponent : pruning_exponents)
     {
-      if(m_correction * enumeration.expected_nodes(m_radius) <= pruned_fraction * m_maximum_nodes)
+      if(m_correction * enumeration.expected_nodes(m_radius) <= pruned_fraction * maximum_nodes)
         break;
       enumeration.set_pruning(exponent);
-      enumeration.run(m_radius, pruned_fraction * m_maximum_nodes, m_go_further);
+      enumeration.run(m_radius, pruned_fraction * maximum_nodes, m_go_further);
       if(enumeration.found())
         best = enumeration.best();
     }
-    const double left = m_maximum_nodes - nodes(enumeration);
+    const double left = end - nodes(enumeration);
     if(!is_within_reach(enumeration, left))
       return;
     enumeration.set_pruning(0.);
