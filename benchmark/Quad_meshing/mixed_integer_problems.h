@@ -31,6 +31,8 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
