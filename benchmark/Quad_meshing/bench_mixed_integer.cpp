@@ -9,13 +9,17 @@
 // Rounding methods beside one sparse Cholesky factorization of the same matrix and beside naive rounding, which
 // solves the system anew after each rounding.
 //
-//   bench_mixed_integer [--naive N] [--sizes] [NAME or MESH ...]
+//   bench_mixed_integer [--naive N] [--sizes] [--orders] [--greedy] [NAME or MESH ...]
 //
 // A MESH (.off, .obj, .ply) gives the problems of Tables 5.1 and 5.2 of Bommes 2012, made of it and its decimations:
 // cross fields without constraints at 200, 1000, 2000 triangles and all, and maps at 1000 and 4000 quads; the figures
 // of the thesis, for other decimations of a rocker arm with constraints, stand below. Naive rounding is left out
 // beyond N integers (default 2000). With --sizes it gives the times of Tables 5.3 and 5.4 instead, at 10000, 50000
 // and 200000 triangles.
+//
+// With --orders it prints what the order of elimination does to the map of a MESH whose transitions and alignment are
+// left to the solver as equality constraints, the fill-in experiment of 5.3. With --greedy it prints the time of greedy
+// rounding relative to the faster of naive rounding and the three levels, on fields.
 //
 // A NAME stands for the files NAME.A.mtx, NAME.b.mtx (Matrix Market) and NAME.I.txt (indices of integers, from 0).
 // Without arguments two families of problems are made: maps, a few integers of global influence, and fields, many of
@@ -25,13 +29,16 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
+#include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace params = CGAL::parameters;
@@ -255,23 +262,79 @@ void print_sizes(const std::string& name, const Mesh& tm)
 }
 
 // What the order of elimination does to the matrix ([Bom12, 5.3], the fill-in experiment).
-void print_elimination_orders()
+void print_orders_header()
 {
   std::printf("Order of elimination: entries of the matrix, and seconds of greedy rounding\n");
-  std::printf("%9s %12s | %12s %10s | %12s %10s\n", "variables", "constraints", "fewest first", "seconds", "as given",
-              "seconds");
-  for(int width : { 30, 60, 120 })
+  std::printf("%9s %12s %9s | %12s %10s | %12s %10s | %12s %10s\n", "variables", "constraints", "integers",
+              "fewest first", "seconds", "as given", "seconds", "shuffled", "seconds");
+}
+
+// The constraints of a map come in chains along cuts and features, which is an order of its own.
+Problem shuffled(const Problem& problem)
+{
+  Problem result(problem.number_of_variables());
+  result.set_energy(problem.matrix(), problem.linear_term(), problem.constant());
+  for(int i = 0; i < problem.number_of_variables(); ++i)
+    result.set_integer(i, problem.is_integer(i));
+  std::vector<Problem::Linear_constraint> constraints = problem.equality_constraints();
+  CGAL::Random random(1);
+  for(int i = static_cast<int>(constraints.size()) - 1; i > 0; --i)
+    std::swap(constraints[i], constraints[random.get_int(0, i + 1)]);
+  for(const Problem::Linear_constraint& c : constraints)
+    result.add_equality_constraint(c.form, c.rhs);
+  return result;
+}
+
+void print_orders(const Problem& problem)
+{
+  std::printf("%9d %12d %9d", problem.number_of_variables(), static_cast<int>(problem.equality_constraints().size()),
+              problem.number_of_integers());
+  const auto print = [](const Problem& given, QM::Elimination_order order)
   {
-    const Problem problem = make_constrained_map(width);
-    std::printf("%9d %12d", problem.number_of_variables(), static_cast<int>(problem.equality_constraints().size()));
-    for(QM::Elimination_order order : { QM::Elimination_order::FEWEST_COEFFICIENTS, QM::Elimination_order::AS_GIVEN })
-    {
-      const Solution s =
-        QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order));
-      std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
-      std::fflush(stdout);
-    }
-    std::printf("\n");
+    const Solution s =
+      QM::solve_mixed_integer(given, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order));
+    std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
+    std::fflush(stdout);
+  };
+  print(problem, QM::Elimination_order::FEWEST_COEFFICIENTS);
+  print(problem, QM::Elimination_order::AS_GIVEN);
+  print(shuffled(problem), QM::Elimination_order::AS_GIVEN);
+  std::printf("\n");
+}
+
+void print_elimination_orders()
+{
+  print_orders_header();
+  for(int width : { 30, 60, 120 })
+    print_orders(make_constrained_map(width));
+  std::printf("\n");
+}
+
+// The choice between dense updates, naive rounding and the three levels: the best of a few runs of each.
+void print_greedy_ratios()
+{
+  const int runs = 5;
+  std::printf("Greedy rounding: seconds, and relative to the faster of naive rounding and three levels\n");
+  std::printf("%9s %10s %10s %10s %8s\n", "integers", "greedy", "naive", "levels", "ratio");
+  for(int width : { 16, 23, 32 })
+  {
+    const Problem problem = make_field(width);
+    double seconds[3] = { 1e9, 1e9, 1e9 };
+    int integers = 0;
+    for(int run = 0; run < runs; ++run)
+      for(int m = 0; m < 3; ++m)
+      {
+        const Solution s =
+          m == 1 ? QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE))
+                 : QM::solve_mixed_integer(
+                     problem,
+                     params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(m == 0 ? 1000 : 0));
+        seconds[m] = (std::min)(seconds[m], s.seconds);
+        integers = s.free_integers;
+      }
+    std::printf("%9d %10.4f %10.4f %10.4f %8.2f\n", integers, seconds[0], seconds[1], seconds[2],
+                seconds[0] / (std::min)(seconds[1], seconds[2]));
+    std::fflush(stdout);
   }
   std::printf("\n");
 }
@@ -286,7 +349,7 @@ bool is_mesh_name(const std::string& name)
 int main(int argc, char* argv[])
 {
   int naive_limit = 2000;
-  bool has_sizes = false, is_default = true, has_tables = false;
+  bool has_sizes = false, has_orders = false, is_default = true, has_tables = false;
   for(int i = 1; i < argc; ++i)
   {
     const std::string name = argv[i];
@@ -300,7 +363,18 @@ int main(int argc, char* argv[])
       has_sizes = true;
       continue;
     }
+    if(name == "--orders")
+    {
+      has_orders = true;
+      print_orders_header();
+      continue;
+    }
     is_default = false;
+    if(name == "--greedy")
+    {
+      print_greedy_ratios();
+      continue;
+    }
     if(is_mesh_name(name))
     {
       Mesh tm;
@@ -308,6 +382,11 @@ int main(int argc, char* argv[])
       {
         std::fprintf(stderr, "bench_mixed_integer: %s: no triangle mesh can be read\n", name.c_str());
         return 2;
+      }
+      if(has_orders)
+      {
+        print_orders(map_problem(tm, 4000, true));
+        continue;
       }
       if(has_sizes)
         print_sizes(name, tm);
@@ -328,6 +407,7 @@ int main(int argc, char* argv[])
     print_thesis();
   if(is_default)
   {
+    print_greedy_ratios();
     print_elimination_orders();
     run("map 100 x 100", make_map(100, 50));
     run("map 200 x 200", make_map(200, 100));

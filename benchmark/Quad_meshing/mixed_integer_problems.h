@@ -31,6 +31,8 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -173,9 +175,77 @@ inline Problem field_problem(const Mesh& tm)
   return QM::internal::Mixed_integer_field(field).system();
 }
 
+// The map of a surface cut open, with everything that ties it together as equality constraints: the transitions across
+// cuts, with integer translations, and the coordinates that are constant along aligned edges. The variables are the
+// coordinates of the wedges and the translations.
+inline Problem constrained_map_problem(const QM::internal::Combed_charts& charts,
+                                       const QM::internal::Face_gradients& faces, const std::vector<bool>& is_singular,
+                                       const std::vector<bool>& is_aligned)
+{
+  const QM::internal::Indexed_triangle_mesh& mesh = charts.mesh;
+  const int wedges = charts.number_of_wedges();
+  Problem problem(2 * wedges + 2 * static_cast<int>(charts.paths.size()));
+  for(int i = 2 * wedges; i < problem.number_of_variables(); ++i)
+    problem.set_integer(i);
+  const auto variable = [&](int corner, int c) { return 2 * charts.wedge_of_corner[corner] + c; };
+  const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    for(int c = 0; c < 2; ++c)
+      for(int d = 0; d < 2; ++d)
+      {
+        Problem::Linear_form form;
+        for(int k = 0; k < 3; ++k)
+          form.emplace_back(variable(3 * f + k, c), faces.gradient[f](k, d));
+        problem.add_squared_residual(form, c == d ? 1. : 0., faces.area[f]);
+      }
+  for(std::size_t p = 0; p < charts.paths.size(); ++p)
+    for(int h : charts.paths[p].halfedges)
+    {
+      const int o = mesh.opposite[h];
+      const int ends[2][2] = { { h, next(o) }, { next(h), o } }; // corners on the left and on the right
+      for(const auto& end : ends)
+        for(int c = 0; c < 2; ++c)
+        {
+          // R90: (u, v) -> (-v, u)
+          const int r = charts.paths[p].rotation, from = r % 2 == 0 ? c : 1 - c;
+          const double sign = r == 0 || (r == 1 && c == 1) || (r == 3 && c == 0) ? 1. : -1.;
+          problem.add_equality_constraint({ { variable(end[0], from), sign },
+                                            { 2 * wedges + 2 * static_cast<int>(p) + c, 1. },
+                                            { variable(end[1], c), -1. } },
+                                          0.);
+        }
+    }
+  for(int h = 0; h < 3 * mesh.number_of_faces(); ++h)
+  {
+    if(is_singular[mesh.source(h)])
+      for(int c = 0; c < 2; ++c)
+        problem.set_integer(variable(h, c));
+    if(!is_aligned[mesh.edge_of[h]])
+      continue;
+    // Where both coordinates were the identity the edge would run along one of them.
+    double along[2] = { 0., 0. };
+    const int f = h / 3, k = h % 3;
+    const Eigen::Matrix<double, 3, 2>& g = faces.gradient[f];
+    const Eigen::Matrix2d jacobian =
+      (Eigen::Matrix2d() << g((k + 1) % 3, 0), g((k + 1) % 3, 1), g((k + 2) % 3, 0), g((k + 2) % 3, 1)).finished();
+    const Eigen::Vector2d edge = jacobian.inverse().col(0); // rises by one from its source to its target alone
+    along[0] = std::fabs(edge[0]);
+    along[1] = std::fabs(edge[1]);
+    const int c = along[0] > along[1] ? 1 : 0;
+    problem.add_equality_constraint({ { variable(h, c), 1. }, { variable(next(h), c), -1. } }, 0.);
+    problem.set_integer(variable(h, c));
+    problem.set_integer(variable(next(h), c));
+  }
+  // One corner at the origin: else all may be moved by integers.
+  problem.add_equality_constraint({ { variable(0, 0), 1. } }, 0.);
+  problem.add_equality_constraint({ { variable(0, 1), 1. } }, 0.);
+  return problem;
+}
+
 // The seamless map of about `quads` quads that follows the smooth cross field, features and border aligned; its
-// integers are the coordinates of singularities and features and the translations across cuts.
-inline Problem map_problem(Mesh tm, double quads)
+// integers are the coordinates of singularities and features and the translations across cuts. What ties the charts
+// together is eliminated beforehand, or left to the solver.
+inline Problem map_problem(Mesh tm, double quads, bool is_constrained = false)
 {
   using namespace QM::internal;
   const double sharp_angle = 40., longest_edge = 1.5; // degrees, in quad edges
@@ -204,8 +274,10 @@ inline Problem map_problem(Mesh tm, double quads)
   for(auto v : tm.vertices())
     is_singular.push_back(index[v] != 0);
   const Combed_charts charts(mesh, angles, jumps, is_singular);
-  const Seamless_coordinates coordinates(charts, is_singular, is_aligned);
   const Face_gradients faces(charts, std::vector<double>(mesh.number_of_faces(), length));
+  if(is_constrained)
+    return constrained_map_problem(charts, faces, is_singular, is_aligned);
+  const Seamless_coordinates coordinates(charts, is_singular, is_aligned);
   const Orientation_energy energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), 1.);
   Problem problem(coordinates.number_of_variables());
   problem.set_energy(energy.A, energy.b, energy.constant);

@@ -229,7 +229,8 @@ int solve(int argc, char* argv[])
     "gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")(
     "selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")(
     "branching", po::value<Text>()->default_value("pseudo-costs"),
-    "minimum-infeasibility, maximum-infeasibility or pseudo-costs")(
+    "minimum-infeasibility, maximum-infeasibility, pseudo-costs, maximum-then-minimum-infeasibility, "
+    "minimum-pseudo-costs or maximum-pseudo-costs")(
     "out", po::value<Text>(), "file for the solution, one value per line")("json", po::value<Text>(),
                                                                            "file for the figures");
   command_line::Arguments args("solve_mixed_integer",
@@ -241,8 +242,9 @@ int solve(int argc, char* argv[])
   const QM::Rounding_method method = QM::Rounding_method(args.choice("method", methods));
   const QM::Subproblem_selection selection =
     QM::Subproblem_selection(args.choice("selection", { "best-bound", "depth-first", "best-estimate" }));
-  const QM::Branching_rule branching =
-    QM::Branching_rule(args.choice("branching", { "minimum-infeasibility", "maximum-infeasibility", "pseudo-costs" }));
+  const QM::Branching_rule branching = QM::Branching_rule(
+    args.choice("branching", { "minimum-infeasibility", "maximum-infeasibility", "pseudo-costs",
+                               "maximum-then-minimum-infeasibility", "minimum-pseudo-costs", "maximum-pseudo-costs" }));
   const double time_limit = args.number("time-limit", 0., 1e9), node_limit = args.number("node-limit", 0., 1e18);
   const int bound_rounds = static_cast<int>(args.number("bound-rounds", 0., 1e6));
   const double gap = args.number("gap", 0., 1.);

@@ -172,6 +172,11 @@ void test_methods()
     assert(polished.energy <= polished.initial_energy + 1e-9);
     const Result greedy = compute(f, Method::GREEDY);
     check(f, greedy);
+    // The search starts from that field, and goes downhill.
+    const Result searched = compute(f, Method::GREEDY_AND_SEARCH);
+    check(f, searched);
+    assert(std::abs(searched.initial_energy - greedy.initial_energy) < 1e-9 * (1 + greedy.initial_energy));
+    assert(searched.energy <= searched.initial_energy + 1e-9);
     const Result naive = compute(f, Method::NAIVE);
     check(f, naive);
     const Result direct = compute(f, Method::DIRECT);
@@ -197,6 +202,31 @@ void test_methods()
       }
     assert(polished.integers == inner - between_given - free_faces + (polished.constrained_faces == 0));
   }
+}
+
+// The parameters of the levels of greedy rounding arrive there: with no level at all, or with a tolerance that lets
+// none begin, later roundings know nothing of earlier ones; any level alone does most of the work.
+void test_levels()
+{
+  Field f(perturbed(icosphere(4), 0.03));
+  const auto energy = [&](const auto& np)
+  {
+    const Result r =
+      CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index, np.cross_field_method(Method::GREEDY));
+    assert(r.status == CGAL::Quad_meshing::Cross_field_status::SUCCESS);
+    return r.energy;
+  };
+  const double all = energy(params::rounding_tolerance(3e-4)), same = energy(params::allow_refactorization(true));
+  const double none =
+    energy(params::gauss_seidel_iterations(0).conjugate_gradient_iterations(0).allow_refactorization(false));
+  const double coarse = energy(params::rounding_tolerance(1.).allow_refactorization(false));
+  const double local = energy(params::conjugate_gradient_iterations(0).allow_refactorization(false));
+  const double global = energy(params::gauss_seidel_iterations(0).allow_refactorization(false));
+  std::cout << "  all levels " << all << ", none " << none << ", tolerance 1 " << coarse << ", Gauss-Seidel " << local
+            << ", conjugate gradient " << global << std::endl;
+  assert(all == same);
+  assert(none > 1.2 * all && coarse > 1.2 * all);
+  assert(local < 0.5 * (all + none) && global < 0.5 * (all + none));
 }
 
 // No period jumps in a box around the result are better. A factorization-free evaluation: the energy as a
@@ -1158,6 +1188,7 @@ int main(int argc, char** argv)
   return run_cases(argc, argv,
                    { { "known_fields", test_known_fields },
                      { "methods", test_methods },
+                     { "levels", test_levels },
                      { "brute_force", test_brute_force },
                      { "invariances", test_invariances },
                      { "given_directions", test_given_directions },

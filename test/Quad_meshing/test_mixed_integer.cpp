@@ -380,8 +380,11 @@ void test_inequalities(CGAL::Random& random)
     const QM::Subproblem_selection selections[] = { QM::Subproblem_selection::BEST_BOUND,
                                                     QM::Subproblem_selection::DEPTH_FIRST,
                                                     QM::Subproblem_selection::BEST_ESTIMATE };
-    const QM::Branching_rule rules[] = { QM::Branching_rule::MINIMUM_INFEASIBILITY,
-                                         QM::Branching_rule::MAXIMUM_INFEASIBILITY, QM::Branching_rule::PSEUDO_COSTS };
+    const QM::Branching_rule rules[] = {
+      QM::Branching_rule::MINIMUM_INFEASIBILITY, QM::Branching_rule::MAXIMUM_INFEASIBILITY,
+      QM::Branching_rule::PSEUDO_COSTS,          QM::Branching_rule::MAXIMUM_THEN_MINIMUM_INFEASIBILITY,
+      QM::Branching_rule::MINIMUM_PSEUDO_COSTS,  QM::Branching_rule::MAXIMUM_PSEUDO_COSTS
+    };
     for(QM::Subproblem_selection selection : selections)
       for(QM::Branching_rule rule : rules)
         for(int m = 0; m < 2; ++m)

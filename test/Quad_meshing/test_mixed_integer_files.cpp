@@ -15,6 +15,7 @@
 
 #include <CGAL/Random.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -222,11 +223,160 @@ void other_solvers()
   }
 }
 
+// Small instances of kinds that public collections hold, with their optima, which a dynamic program or all
+// assignments give.
+Problem read(const std::string& text)
+{
+  Problem problem;
+  std::vector<std::string> names;
+  const bool is_read = read(text, problem, names);
+  assert(is_read);
+  return problem;
+}
+
+const Method exact_methods[] = { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT };
+
+// A knapsack of 20 binary variables.
+void knapsack()
+{
+  CGAL::Random random(2);
+  const int n = 20, capacity = 300;
+  std::vector<int> weight(n), value(n);
+  std::vector<int> best(capacity + 1, 0);
+  std::ostringstream mps;
+  mps << "NAME knapsack\nROWS\n N value\n L weight\nCOLUMNS\n M1 'MARKER' 'INTORG'\n";
+  for(int i = 0; i < n; ++i)
+  {
+    weight[i] = random.get_int(10, 90);
+    value[i] = weight[i] + random.get_int(-5, 25);
+    mps << " x" << i << " value " << -value[i] << " weight " << weight[i] << "\n";
+    for(int w = capacity; w >= weight[i]; --w)
+      best[w] = (std::max)(best[w], best[w - weight[i]] + value[i]);
+  }
+  mps << " M2 'MARKER' 'INTEND'\nRHS\n r weight " << capacity << "\nBOUNDS\n";
+  for(int i = 0; i < n; ++i)
+    mps << " BV b x" << i << "\n";
+  mps << "ENDATA\n";
+  const Problem problem = read(mps.str());
+  for(Method method : exact_methods)
+  {
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
+    assert(s.status == Status::OPTIMAL && s.energy == -best[capacity]);
+  }
+}
+
+// An assignment of six workers to six tasks, with equality rows.
+void assignment()
+{
+  CGAL::Random random(3);
+  const int n = 6;
+  std::vector<std::vector<int>> cost(n, std::vector<int>(n));
+  std::ostringstream mps;
+  mps << "NAME assignment\nROWS\n N cost\n";
+  for(int i = 0; i < n; ++i)
+    mps << " E w" << i << "\n E t" << i << "\n";
+  mps << "COLUMNS\n M1 'MARKER' 'INTORG'\n";
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      cost[i][j] = random.get_int(1, 50);
+      mps << " x" << i << j << " cost " << cost[i][j] << " w" << i << " 1\n x" << i << j << " t" << j << " 1\n";
+    }
+  mps << " M2 'MARKER' 'INTEND'\nRHS\n";
+  for(int i = 0; i < n; ++i)
+    mps << " r w" << i << " 1 t" << i << " 1\n";
+  mps << "BOUNDS\n";
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      mps << " BV b x" << i << j << "\n";
+  mps << "ENDATA\n";
+  std::vector<int> permutation(n);
+  for(int i = 0; i < n; ++i)
+    permutation[i] = i;
+  int best = 1000000;
+  do
+  {
+    int sum = 0;
+    for(int i = 0; i < n; ++i)
+      sum += cost[i][permutation[i]];
+    best = (std::min)(best, sum);
+  }
+  while(std::next_permutation(permutation.begin(), permutation.end()));
+  const Problem problem = read(mps.str());
+  for(Method method : exact_methods)
+  {
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
+    assert(s.status == Status::OPTIMAL && s.energy == best);
+  }
+}
+
+// Facilities that may be opened, for customers that each send one real unit: all sets of facilities are tried.
+void facilities()
+{
+  CGAL::Random random(6);
+  const int facilities = 6, customers = 8;
+  std::vector<int> fixed(facilities);
+  std::vector<std::vector<int>> way(facilities, std::vector<int>(customers));
+  std::ostringstream mps;
+  mps << "NAME facilities\nROWS\n N cost\n";
+  for(int c = 0; c < customers; ++c)
+    mps << " E c" << c << "\n";
+  for(int f = 0; f < facilities; ++f)
+    for(int c = 0; c < customers; ++c)
+      mps << " L o" << f << c << "\n";
+  mps << "COLUMNS\n";
+  for(int f = 0; f < facilities; ++f)
+  {
+    fixed[f] = random.get_int(20, 60);
+    mps << " M" << f << " 'MARKER' 'INTORG'\n y" << f << " cost " << fixed[f] << "\n";
+    for(int c = 0; c < customers; ++c)
+      mps << " y" << f << " o" << f << c << " -1\n";
+    mps << " N" << f << " 'MARKER' 'INTEND'\n";
+    for(int c = 0; c < customers; ++c)
+    {
+      way[f][c] = random.get_int(1, 40);
+      mps << " x" << f << c << " cost " << way[f][c] << " c" << c << " 1\n x" << f << c << " o" << f << c << " 1\n";
+    }
+  }
+  mps << "RHS\n";
+  for(int c = 0; c < customers; ++c)
+    mps << " r c" << c << " 1\n";
+  mps << "BOUNDS\n";
+  for(int f = 0; f < facilities; ++f)
+    mps << " BV b y" << f << "\n";
+  mps << "ENDATA\n";
+  int best = 1000000;
+  for(int set = 1; set < (1 << facilities); ++set)
+  {
+    int sum = 0;
+    for(int f = 0; f < facilities; ++f)
+      sum += (set >> f & 1) * fixed[f];
+    for(int c = 0; c < customers; ++c)
+    {
+      int nearest = 1000;
+      for(int f = 0; f < facilities; ++f)
+        if(set >> f & 1)
+          nearest = (std::min)(nearest, way[f][c]);
+      sum += nearest;
+    }
+    best = (std::min)(best, sum);
+  }
+  const Problem problem = read(mps.str());
+  for(Method method : exact_methods)
+  {
+    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(method));
+    assert(s.status == Status::OPTIMAL && std::fabs(s.energy - best) < 1e-9 * best);
+  }
+}
+
 int main(int argc, char** argv)
 {
   return run_cases(argc, argv,
                    {
                      { "mps", mps },
+                     { "knapsack", knapsack },
+                     { "assignment", assignment },
+                     { "facilities", facilities },
                      { "other_solvers", other_solvers },
                    });
 }

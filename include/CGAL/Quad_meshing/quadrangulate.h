@@ -122,6 +122,26 @@ mesh
     \cgalParamType{`Rounding_method`}
     \cgalParamDefault{`Rounding_method::GREEDY`}
   \cgalParamNEnd
+  \cgalParamNBegin{rounding_tolerance}
+    \cgalParamDescription{the accuracy to which greedy rounding of a field updates it, see `smooth_cross_field()`}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`3e-4`}
+  \cgalParamNEnd
+  \cgalParamNBegin{gauss_seidel_iterations}
+    \cgalParamDescription{the local steps per rounding of a field; 0 for none}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`20000`}
+  \cgalParamNEnd
+  \cgalParamNBegin{conjugate_gradient_iterations}
+    \cgalParamDescription{the steps of the conjugate gradient per rounding of a field; 0 for none}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`10`}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_refactorization}
+    \cgalParamDescription{whether greedy rounding of a field may compute new factorizations}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
   \cgalParamNBegin{anisotropy_weight}
     \cgalParamDescription{the weight of the length of quads against their direction, in (0, 1]}
     \cgalParamType{`double`}
@@ -197,10 +217,11 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     NamedParameters, internal_np::target_number_of_quads_t, internal_np::target_edge_length_t,
     internal_np::sharpness_angle_t, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
     internal_np::face_direction_map_t, internal_np::curvature_alignment_t, internal_np::work_on_input_t,
-    internal_np::cross_field_method_t, internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
-    internal_np::smoothing_iterations_t, internal_np::optimize_structure_t, internal_np::number_of_threads_t,
-    internal_np::random_seed_t, internal_np::maximum_running_time_t, internal_np::face_location_map_t,
-    internal_np::visitor_t, internal_np::vertex_point_t>::value;
+    internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
+    internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t, internal_np::rounding_method_t,
+    internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t, internal_np::optimize_structure_t,
+    internal_np::number_of_threads_t, internal_np::random_seed_t, internal_np::maximum_running_time_t,
+    internal_np::face_location_map_t, internal_np::visitor_t, internal_np::vertex_point_t>::value;
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   constexpr bool has_direction_map =
@@ -246,6 +267,10 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal::read_parameter(np, internal_np::random_seed, o.random_seed);
     internal::read_parameter(np, internal_np::smoothing_iterations, o.smoothing_iterations);
     internal::read_parameter(np, internal_np::maximum_running_time, o.maximum_running_time);
+    internal::read_parameter(np, internal_np::rounding_tolerance, o.rounding_tolerance);
+    internal::read_parameter(np, internal_np::gauss_seidel_iterations, o.gauss_seidel_iterations);
+    internal::read_parameter(np, internal_np::conjugate_gradient_iterations, o.conjugate_gradient_iterations);
+    internal::read_parameter(np, internal_np::allow_refactorization, o.allow_refactorization);
     result = q.run(visitor);
 
     std::vector<std::pair<Quadrangulation::Mesh::Vertex_index, quad_vertex_descriptor>> copies;

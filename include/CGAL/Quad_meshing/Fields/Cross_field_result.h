@@ -31,7 +31,10 @@ enum class Cross_field_method
   NAIVE,
   /// The globally smoothest representation field, rounded, without a search: higher energy, more singularities, and
   /// often a less distorted integer-grid map.
-  REPRESENTATION
+  REPRESENTATION,
+  /// As `GREEDY`, and then a local search: period jumps are changed, which moves singularities, as long as that lowers
+  /// the energy.
+  GREEDY_AND_SEARCH
 };
 
 /*!

@@ -114,6 +114,27 @@ namespace Quad_meshing {
  *     \cgalParamType{`Cross_field_method`}
  *     \cgalParamDefault{`Cross_field_method::POLISHED`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{rounding_tolerance}
+ *     \cgalParamDescription{the accuracy to which the levels of greedy rounding update the field, in units of the
+ *       variables; for `GREEDY` and `GREEDY_AND_SEARCH`, like the next three. See `solve_mixed_integer()`.}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{`3e-4`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{gauss_seidel_iterations}
+ *     \cgalParamDescription{the number of local Gauss-Seidel steps per rounding; 0 switches the level off}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`20000`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{conjugate_gradient_iterations}
+ *     \cgalParamDescription{the number of steps of the conjugate gradient per rounding; 0 switches the level off}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`10`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{allow_refactorization}
+ *     \cgalParamDescription{whether greedy rounding may compute new factorizations}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_bound_rounds}
  *     \cgalParamDescription{the number of rounds of the relaxation that proves a lower bound of the energy, for meshes
  *       of at most a few hundred triangles: six take some seconds with 100 integers, and each step takes time cubic in
@@ -173,8 +194,10 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   constexpr bool takes_parameters = internal::Takes_parameters<
     NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
     internal_np::face_direction_map_t, internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t,
-    internal_np::cross_field_method_t, internal_np::number_of_bound_rounds_t, internal_np::visitor_t,
-    internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
+    internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
+    internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t,
+    internal_np::number_of_bound_rounds_t, internal_np::visitor_t, internal_np::vertex_point_t,
+    internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -195,6 +218,14 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   options.method = choose_parameter(get_parameter(np, internal_np::cross_field_method), Cross_field_method::POLISHED);
   options.target_edge_length = to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.));
   options.number_of_bound_rounds = choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds), 0);
+  options.rounding_tolerance =
+    choose_parameter(get_parameter(np, internal_np::rounding_tolerance), options.rounding_tolerance);
+  options.gauss_seidel_iterations =
+    choose_parameter(get_parameter(np, internal_np::gauss_seidel_iterations), options.gauss_seidel_iterations);
+  options.conjugate_gradient_iterations = choose_parameter(
+    get_parameter(np, internal_np::conjugate_gradient_iterations), options.conjugate_gradient_iterations);
+  options.allow_refactorization =
+    choose_parameter(get_parameter(np, internal_np::allow_refactorization), options.allow_refactorization);
   const bool align_boundary = choose_parameter(get_parameter(np, internal_np::align_boundary), true);
 
   Real_timer timer;

@@ -13,7 +13,10 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <functional>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -27,9 +30,9 @@ namespace Quad_meshing {
 
 The problem reads
 \f[ \min_x \; \tfrac12 x^T A x - x^T b + c \quad\mbox{subject to}\quad
-    Cx = d,\; Gx \le h,\; l \le x \le u,\; x_i \in \mathbb{Z} \mbox{ for } i \in I . \f]
-\f$ A \f$ is symmetric positive semidefinite; the energy must be bounded below where the constraints hold.
-The energy is given as a matrix, as a sum of weighted squared residuals, or as both together.
+    Cx = d,\; Gx \le h,\; g(x) \le 0,\; l \le x \le u,\; x_i \in \mathbb{Z} \mbox{ for } i \in I . \f]
+\f$ A \f$ is symmetric positive semidefinite, the functions \f$ g \f$ are convex; the energy must be bounded below where
+the constraints hold. The energy is given as a matrix, as a sum of weighted squared residuals, or as both together.
 
 Constraints may be redundant or contradictory: `solve_mixed_integer()` sorts that out and says which.
 
@@ -47,6 +50,18 @@ public:
   {
     Linear_form form;
     double rhs;
+  };
+
+  /// A convex function of some variables: takes their values, sets the gradient, or a subgradient, and returns the
+  /// value. It is called with real values for integer variables too.
+  typedef std::function<double(const Eigen::VectorXd& values, Eigen::VectorXd& gradient)> Convex_function;
+
+  /// The condition that a convex function of these variables is at most zero.
+  struct Convex_constraint
+  {
+    std::vector<int> variables;
+    Convex_function function;
+    Eigen::MatrixXd hessian; ///< of a quadratic function; empty for others
   };
 
   /// \name Variables
@@ -188,13 +203,62 @@ public:
     m_inequalities.push_back(Linear_constraint{ form, rhs });
   }
 
+  /// demands `1/2 x'Qx + form <= rhs`. Only the branch-and-bound family knows such constraints.
+  /// \pre `Q` is symmetric, stored in full and positive semidefinite; it may be smaller than the number of variables.
+  void add_quadratic_constraint(const Eigen::SparseMatrix<double>& Q, const Linear_form& form, double rhs)
+  {
+    CGAL_precondition(Q.rows() == Q.cols() && Q.rows() <= number_of_variables());
+    CGAL_precondition(is_form(form));
+    std::map<int, int> position;
+    for(const std::pair<int, double>& a : form)
+      position[a.first] = 0;
+    for(int j = 0; j < Q.cols(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(Q, j); it; ++it)
+        position[static_cast<int>(it.row())] = position[j] = 0;
+    Convex_constraint constraint;
+    for(std::pair<const int, int>& p : position)
+    {
+      p.second = static_cast<int>(constraint.variables.size());
+      constraint.variables.push_back(p.first);
+    }
+    const int n = static_cast<int>(constraint.variables.size());
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(n);
+    for(int j = 0; j < Q.cols(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator it(Q, j); it; ++it)
+        H(position[static_cast<int>(it.row())], position[j]) = it.value();
+    for(const std::pair<int, double>& c : form)
+      a[position[c.first]] += c.second;
+    constraint.hessian = H;
+    constraint.function = [H, a, rhs](const Eigen::VectorXd& x, Eigen::VectorXd& gradient)
+    {
+      const Eigen::VectorXd Hx = H * x;
+      gradient = Hx + a;
+      return x.dot(0.5 * Hx + a) - rhs;
+    };
+    m_convex.push_back(constraint);
+  }
+
+  /// demands `g <= 0` for a convex function `g` of some variables. Only the branch-and-bound family knows such
+  /// constraints, and takes the word of the caller that the function is convex.
+  /// \pre the variables exist and differ from each other
+  void add_convex_constraint(const std::vector<int>& variables, const Convex_function& g)
+  {
+    CGAL_precondition(std::all_of(variables.begin(), variables.end(), [&](int v) { return is_variable(v); }));
+    m_convex.push_back(Convex_constraint{ variables, g, Eigen::MatrixXd() });
+  }
+
+  /// removes the convex constraints.
+  void clear_convex_constraints() { m_convex.clear(); }
+
+  const std::vector<Convex_constraint>& convex_constraints() const { return m_convex; }
   const std::vector<Linear_constraint>& equality_constraints() const { return m_equalities; }
   const std::vector<Linear_constraint>& inequality_constraints() const { return m_inequalities; }
 
-  /// tells whether there is an inequality constraint or a bound.
+  /// tells whether there is an inequality constraint, a convex constraint or a bound.
   bool has_inequalities() const
   {
-    if(!m_inequalities.empty())
+    if(!m_inequalities.empty() || !m_convex.empty())
       return true;
     for(int i = 0; i < number_of_variables(); ++i)
       if(m_lower[i] > -infinity() || m_upper[i] < infinity())
@@ -228,6 +292,7 @@ private:
   double m_constant;
 
   std::vector<Linear_constraint> m_equalities, m_inequalities;
+  std::vector<Convex_constraint> m_convex;
 };
 
 } // namespace Quad_meshing

@@ -40,9 +40,11 @@ enum class Rounding_method
   BRANCH_AND_BOUND,
   /// Branch-and-bound with cutting planes in the nodes. Knows inequality constraints and bounds.
   BRANCH_AND_CUT,
-  /// Gomory and mixed-integer Gomory cuts in exact rational arithmetic, for linear objectives.
+  /// Gomory and mixed-integer Gomory cuts in exact rational arithmetic, for linear objectives; for convex constraints,
+  /// extended cutting planes.
   CUTTING_PLANES,
-  /// Outer approximation of the convex objective by tangent planes, for small problems with bounds.
+  /// Outer approximation of the convex objective, and of convex constraints, by tangent planes, for small problems with
+  /// bounds.
   OUTER_APPROXIMATION
 };
 
@@ -65,7 +67,12 @@ enum class Branching_rule
 {
   MINIMUM_INFEASIBILITY, ///< the variable nearest to an integer
   MAXIMUM_INFEASIBILITY, ///< the variable farthest from an integer
-  PSEUDO_COSTS           ///< the variable whose past branchings raised the bound most
+  PSEUDO_COSTS,          ///< the variable whose past branchings raised the bound most: downwards times upwards
+  /// the variable farthest from an integer near the root, where decisions matter most, and the nearest deeper in the
+  /// tree, where feasible points are wanted
+  MAXIMUM_THEN_MINIMUM_INFEASIBILITY,
+  MINIMUM_PSEUDO_COSTS, ///< the variable that, by past branchings, is the cheapest to round
+  MAXIMUM_PSEUDO_COSTS  ///< the variable that, by past branchings, is the most expensive to round
 };
 
 /*!

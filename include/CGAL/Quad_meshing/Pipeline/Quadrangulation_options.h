@@ -35,6 +35,10 @@ struct Quadrangulation_options
   bool align_boundary = true;           ///< whether borders become chains of quad edges
   /// How the singularities of the field are found.
   Cross_field_method cross_field_method = Cross_field_method::POLISHED;
+  double rounding_tolerance = 3e-4;    ///< of fields by greedy rounding, as the next three: see `smooth_cross_field()`
+  int gauss_seidel_iterations = 20000; ///< local steps per rounding; 0: none
+  int conjugate_gradient_iterations = 10; ///< per rounding; 0: none
+  bool allow_refactorization = true;      ///< whether there may be new factorizations
   /// How much the quads follow the directions in which the surface bends least (`curvature_directions()`), from 0 to 1.
   double curvature_alignment = 1;
   /// Whether field and map are made on the triangles of the input instead of a working mesh (`make_working_mesh()`).

@@ -105,7 +105,7 @@ private:
         return Cross_field_status::NUMERICAL_FAILURE;
       round_jumps(m_problem, field);
     }
-    else if(!Mixed_integer_field(m_problem).solve(rounding_method(), field, m_progress))
+    else if(!Mixed_integer_field(m_problem).solve(rounding_method(), m_options, field, m_progress))
       return Cross_field_status::NUMERICAL_FAILURE;
     if(!m_progress.go_further(start_end))
       return Cross_field_status::STOPPED;
@@ -137,6 +137,12 @@ private:
         m_polish(field, quads);
       }
       m_polish.annihilate(field, quads, number_of_trials());
+    }
+    else if(m_options.method == Cross_field_method::GREEDY_AND_SEARCH)
+    {
+      if(!is_for_quads)
+        quads = Sector_quads(m_problem, field, m_costs, 0.);
+      m_polish(field, quads);
     }
     if(!m_progress.go_further(search_end))
       return Cross_field_status::STOPPED;

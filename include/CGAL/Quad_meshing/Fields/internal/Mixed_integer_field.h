@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/internal/Distance_front.h>
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
@@ -72,13 +73,19 @@ public:
   }
 
   // Sets the field to the solution found by a method for mixed-integer problems. Returns false if there is none.
-  bool solve(Rounding_method method, Cross_field& field, Stage_progress& progress) const
+  bool solve(Rounding_method method, const Field_options& options, Cross_field& field, Stage_progress& progress) const
   {
     Eigen::VectorXd x;
     if(m_system.number_of_variables() > 0)
     {
       Step_visitor visitor(progress);
-      x = solve_mixed_integer(m_system, parameters::rounding_method(method).visitor(std::ref(visitor))).x;
+      x = solve_mixed_integer(m_system, parameters::rounding_method(method)
+                                          .rounding_tolerance(options.rounding_tolerance)
+                                          .gauss_seidel_iterations(options.gauss_seidel_iterations)
+                                          .conjugate_gradient_iterations(options.conjugate_gradient_iterations)
+                                          .allow_refactorization(options.allow_refactorization)
+                                          .visitor(std::ref(visitor)))
+            .x;
       if(x.size() == 0)
         return false;
     }

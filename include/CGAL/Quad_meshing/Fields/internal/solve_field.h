@@ -25,6 +25,11 @@ struct Field_options
   Cross_field_method method = Cross_field_method::POLISHED;
   double target_edge_length = 0; // 0: none
   int number_of_bound_rounds = 0;
+  // Of greedy rounding, with the defaults of `solve_mixed_integer()`.
+  double rounding_tolerance = 3e-4;
+  int gauss_seidel_iterations = 20000;
+  int conjugate_gradient_iterations = 10;
+  bool allow_refactorization = true;
 };
 
 // Computes a smooth cross field [Bom12, 8.2] and fills in the figures of the result.

@@ -82,10 +82,11 @@ private:
   Eigen::VectorXd m_sum[2], m_count[2];
 };
 
-// Returns the integer variable to branch on, -1 if all are integers up to `tolerance`.
+// Returns the integer variable to branch on, -1 if all are integers up to `tolerance`. The root has the depth 1.
 inline int branching_variable(const Eigen::VectorXd& y, const std::vector<char>& is_integer, double tolerance,
-                              Branching_rule rule, const Pseudo_costs& pseudo_costs)
+                              Branching_rule rule, const Pseudo_costs& pseudo_costs, int depth)
 {
+  const int critical_depth = 8; // down to which the most fractional variable is taken first; some steps [Bom12, 4.1]
   int best = -1;
   double best_score = -std::numeric_limits<double>::infinity();
   for(int i = 0; i < y.size(); ++i)
@@ -101,6 +102,15 @@ inline int branching_variable(const Eigen::VectorXd& y, const std::vector<char>&
     {
       case Branching_rule::MINIMUM_INFEASIBILITY: score = -infeasibility; break;
       case Branching_rule::MAXIMUM_INFEASIBILITY: score = infeasibility; break;
+      case Branching_rule::MAXIMUM_THEN_MINIMUM_INFEASIBILITY:
+        score = depth <= critical_depth ? infeasibility : -infeasibility;
+        break;
+      case Branching_rule::MINIMUM_PSEUDO_COSTS:
+      case Branching_rule::MAXIMUM_PSEUDO_COSTS:
+        score = (std::min)(below * pseudo_costs.estimate(i, 0), above * pseudo_costs.estimate(i, 1));
+        if(rule == Branching_rule::MINIMUM_PSEUDO_COSTS)
+          score = -score;
+        break;
       case Branching_rule::PSEUDO_COSTS:
         score = (below * pseudo_costs.estimate(i, 0)) * (above * pseudo_costs.estimate(i, 1));
         break;
@@ -226,8 +236,8 @@ private:
     node->lower = lower;
     node->upper = upper;
     node->depth = parent.depth + 1;
-    node->variable =
-      branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule, m_pseudo_costs);
+    node->variable = branching_variable(node->y, m_problem.is_integer, integer_tolerance, m_options.branching_rule,
+                                        m_pseudo_costs, node->depth);
     if(node->variable >= 0)
     {
       node->split = std::floor(node->y[node->variable]);

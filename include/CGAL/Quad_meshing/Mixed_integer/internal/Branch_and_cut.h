@@ -135,9 +135,9 @@ private:
                                     (m_master.is_linear() ? 0. : absolute_round_off * m_master.magnitude());
   }
 
-  int variable_of(const Eigen::VectorXd& y, double tolerance) const
+  int variable_of(const Eigen::VectorXd& y, double tolerance, int depth) const
   {
-    return branching_variable(y, m_problem.is_integer, tolerance, m_options.branching_rule, m_pseudo_costs);
+    return branching_variable(y, m_problem.is_integer, tolerance, m_options.branching_rule, m_pseudo_costs, depth);
   }
 
   // Whether nothing better is left in a node with a bound.
@@ -245,7 +245,7 @@ private:
         node->bound = (std::max)(node->bound, minimum.energy);
       if(is_pruned(node->bound))
         return node->bound;
-      node->variable = variable_of(minimum.y, integer_tolerance);
+      node->variable = variable_of(minimum.y, integer_tolerance, node->depth);
       if(node->variable >= 0)
       {
         node->split = Rational(std::floor(minimum.y[node->variable]));
@@ -273,7 +273,7 @@ private:
           return infinity;
         if(is_pruned(node->bound))
           return node->bound;
-        const int fractional = variable_of(node->fractions, 0.5 * least_fraction);
+        const int fractional = variable_of(node->fractions, 0.5 * least_fraction, node->depth);
         if(m_is_linear)
           node->variable = fractional;
         if(fractional < 0)

@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_LATTICE_BOUND_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_LATTICE_BOUND_H
 
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_reduction.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Dual_lattice.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Split_relaxation.h>
 
 #include <Eigen/Core>
@@ -114,18 +114,6 @@ private:
     m_slabs.swap(kept);
   }
 
-  // The reduced basis of the dual of the lattice that has the factor `R`, one vector per column.
-  static Eigen::MatrixXd reduced_dual(const Eigen::MatrixXd& R)
-  {
-    // The inverse transpose is lower triangular; in reverse order it is upper triangular.
-    const int m = static_cast<int>(R.rows());
-    const Eigen::MatrixXd inverse =
-      R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(m, m)));
-    Lattice_reduction reduction(inverse.transpose().reverse());
-    reduction.run(0, 0, []() { return true; }); // no blocks: LLL
-    return reduction.transformation().colwise().reverse();
-  }
-
   // The products of dual vectors in the lattice with this factor.
   static Eigen::MatrixXd dual_products(const Eigen::MatrixXd& R, const Eigen::MatrixXd& vectors)
   {
@@ -145,7 +133,7 @@ private:
     };
 
     const Eigen::MatrixXd R = precision * m_R;
-    const Eigen::MatrixXd dual = reduced_dual(R);
+    const Eigen::MatrixXd dual = reduced_dual_basis(R);
     Eigen::MatrixXd pool(m_size, m_size + m_slabs.size());
     pool.leftCols(m_size) = dual;
     for(std::size_t i = 0; i < m_slabs.size(); ++i)
@@ -186,7 +174,7 @@ private:
       Slab slab{ pool.col(c.i), 0. };
       if(c.sign != 0)
         slab.normal += c.sign * pool.col(c.j);
-      make_unique(slab.normal);
+      choose_sign(slab.normal);
       slab.floor = std::floor(slab.normal.dot(center));
       if(slab.normal.isZero(0.) || !known.insert(slab).second)
         continue;
@@ -194,18 +182,6 @@ private:
       ++added;
     }
     return added > 0;
-  }
-
-  // Of two opposite vectors, the one whose first nonzero coordinate is positive.
-  static void make_unique(Eigen::VectorXd& a)
-  {
-    for(double x : a)
-      if(x != 0)
-      {
-        if(x < 0)
-          a = -a;
-        return;
-      }
   }
 
   const Eigen::MatrixXd m_R; // the known point is at the distance 1

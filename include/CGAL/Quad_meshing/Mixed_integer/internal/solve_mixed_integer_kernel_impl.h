@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVE_MIXED_INTEGER_KERNEL_IMPL_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVE_MIXED_INTEGER_KERNEL_IMPL_H
 
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Convex_methods.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Mixed_integer_solver.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Search_limits.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel.h>
@@ -24,7 +25,9 @@ CGAL_QUAD_MESHING_INLINE Mixed_integer_solution solve_mixed_integer_kernel(const
 {
   const Visited_stage stage(visitor, "mixed-integer solution");
   Search_limits limits(visitor, options.maximum_running_time);
-  Mixed_integer_solution solution = Mixed_integer_solver(problem, options, linear_solver, limits).solve();
+  Mixed_integer_solution solution = problem.convex_constraints().empty()
+                                      ? Mixed_integer_solver(problem, options, linear_solver, limits).solve()
+                                      : Convex_methods(problem, options, linear_solver, limits).solve();
   if(limits.is_stopped())
   {
     solution = Mixed_integer_solution();

@@ -219,6 +219,10 @@ private:
                            .edge_is_constrained_map(map_of(boost::edge_index, is_feature))
                            .align_boundary(m_options.quadrangulation.align_boundary)
                            .cross_field_method(method)
+                           .rounding_tolerance(m_options.quadrangulation.rounding_tolerance)
+                           .gauss_seidel_iterations(m_options.quadrangulation.gauss_seidel_iterations)
+                           .conjugate_gradient_iterations(m_options.quadrangulation.conjugate_gradient_iterations)
+                           .allow_refactorization(m_options.quadrangulation.allow_refactorization)
                            .face_direction_map(map_of(boost::face_index, m_directions.direction))
                            .face_direction_weight_map(map_of(boost::face_index, m_directions.weight))
                            .visitor(std::ref(m_visitor)));
