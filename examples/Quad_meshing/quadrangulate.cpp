@@ -61,6 +61,7 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
   QM::Flat_json json;
   json.set("status", QM::status_name(r.status));
   json.set("valid", r.is_valid());
+  json.set("as_requested", r.is_as_requested);
   json.set("message", r.message);
   json.set("input_faces", r.input_faces);
   json.set("components", r.components);
@@ -129,6 +130,7 @@ int main(int argc, char* argv[])
         "save-field", po::value<std::string>(),
         "file for the cross field: x y z of a centroid and of a direction per line")(
         "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
+        "strict", "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
       command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
                                    options);
@@ -209,6 +211,10 @@ int main(int argc, char* argv[])
       if(!result.is_valid())
         std::cerr << "quadrangulate: " << args.positional(0)
                   << ": the result is not valid: " << command_line::one_line(result.message) << std::endl;
-      return result.is_valid() ? command_line::done : command_line::not_valid;
+      const bool is_refused = args.has("strict") && result.is_valid() && !result.is_as_requested;
+      if(is_refused)
+        std::cerr << "quadrangulate: " << args.positional(0)
+                  << ": not all that was asked for was met: " << command_line::one_line(result.message) << std::endl;
+      return result.is_valid() && !is_refused ? command_line::done : command_line::not_valid;
     });
 }

@@ -44,6 +44,22 @@ if(NOT valid OR NOT quads EQUAL number_of_faces OR NOT irregular EQUAL 8)
   message(SEND_ERROR "unexpected figures: ${figures}")
 endif()
 
+# A cube has 6 n n quads: 150 can be had, 120 cannot, which is an error only if it is asked for strictly.
+foreach(request "150;--strict;0" "120;--strict;1" "120;--align-boundary=on;0")
+  list(GET request 0 quads)
+  list(GET request 1 option)
+  list(GET request 2 expected)
+  execute_process(COMMAND "${PROGRAM}" cube.off strict.obj --target-quads ${quads} ${option}
+                  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error TIMEOUT 120)
+  message("${quads} ${option}: ${code}: ${output}${error}")
+  if(NOT code EQUAL expected)
+    message(SEND_ERROR "exit code ${code} instead of ${expected}")
+  endif()
+  if(expected EQUAL 1 AND NOT error MATCHES "quads instead of 120")
+    message(SEND_ERROR "what was not met is not named: ${error}")
+  endif()
+endforeach()
+
 # Messages name faces by their numbers in the file. Here a face is dropped and the others are cut, so that the tube,
 # which is too thin for a grid of such quads, begins with face 7 of the file and with face 12 of the mesh.
 set(points "0 0 0\n20 0 0\n30 0 0\n30 10 0\n20 10 0\n20 0 10\n30 0 10\n30 10 10\n20 10 10\n")

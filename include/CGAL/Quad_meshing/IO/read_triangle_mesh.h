@@ -52,7 +52,8 @@ namespace Quad_meshing {
  *     \cgalParamType{`Mesh_repairs`, or `bool`: all of them or none}
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{With `false` a file is read as it is, with vertices that no face names and triangles of zero
- * area, or refused (`Mesh_reading_status::NEEDS_REPAIR`, `Mesh_reading_status::NOT_ORIENTABLE`).} \cgalParamNEnd
+ * area, or refused (`Mesh_reading_status::NEEDS_REPAIR`, `Mesh_reading_status::NOT_ORIENTABLE`).}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `g`}
  *     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<FaceGraph>::%vertex_descriptor`

@@ -67,6 +67,9 @@ attempts.
 struct Quadrangulation_result
 {
   Quadrangulation_status status = Quadrangulation_status::FAILED;
+  /// Whether the mesh is valid and nothing of what was asked for was given up: no feature edge, no length and no number
+  /// of quads; and no quad is inverted. If not, the message says what.
+  bool is_as_requested = false;
   /// What happened, as a sentence.
   std::string message;
 

@@ -244,7 +244,9 @@ private:
       m_result.status = quads.mesh.number_of_faces() > 0 ? Status::NOT_VALID : m_components.front()->result.status;
       m_result.message = names_of_invalid_components();
     }
+    const std::string without_remarks = m_result.message;
     add_remarks();
+    m_result.is_as_requested = m_result.is_valid() && !is_for_other_length && m_result.message == without_remarks;
     m_result.message += ".";
   }
 
