@@ -59,7 +59,7 @@ public:
                             const std::vector<std::optional<Quadrangulation_kernel::Vector_3>>& directions,
                             const Quadrangulation_options& options, Pipeline_visitor& visitor)
     : m_surface(surface)
-    , m_work(surface)
+    , m_work(surface, options.align_boundary)
     , m_request(request)
     , m_directions(directions)
     , m_options(options)

@@ -37,7 +37,10 @@ class Working_surface
 
 public:
   // `surface`, with the features of the input, becomes the triangles to work on.
-  explicit Working_surface(std::unique_ptr<Quadrangulation_surface>& surface) : m_surface(surface) {}
+  Working_surface(std::unique_ptr<Quadrangulation_surface>& surface, bool border_is_curve)
+    : m_surface(surface), m_border_is_curve(border_is_curve)
+  {
+  }
 
   // Puts a working mesh in the place of the input. Returns a message if the visitor stopped it, nothing else.
   std::string make(double target_edge_length, Pipeline_visitor& visitor)
@@ -80,15 +83,15 @@ public:
     return is_made() ? m_input->origin[Mesh::Face_index(static_cast<Mesh::size_type>(i))] : i;
   }
 
-  // Puts the vertices of quads, which lie on the working mesh, onto the input: those of features and borders onto
-  // curves of it.
+  // Puts the vertices of quads, which lie on the working mesh, onto the input: those of features, and of borders that
+  // the quads follow, onto curves of it.
   void move_to_input(Quadrangulation_quads& quads) const
   {
     if(!is_made())
       return;
     std::vector<char> is_on_curve(quads.mesh.number_of_vertices(), 0);
     for(Mesh::Edge_index e : quads.mesh.edges())
-      if(quads.is_feature[e] || quads.mesh.is_border(e))
+      if(quads.is_feature[e] || (m_border_is_curve && quads.mesh.is_border(e)))
         for(int k = 0; k < 2; ++k)
           is_on_curve[quads.mesh.vertex(e, k)] = 1;
     for(Mesh::Vertex_index v : quads.mesh.vertices())
@@ -141,17 +144,18 @@ private:
   {
     const Mesh& m = m_input->mesh;
     for(Mesh::Edge_index e : m.edges())
-      if(m_input->is_feature[e] || m.is_border(e))
+      if(m_input->is_feature[e] || (m_border_is_curve && m.is_border(e)))
         m_segments.push_back(Segment_3(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))));
     if(!m_segments.empty())
       m_curves = std::make_unique<Curve_tree>(m_segments.cbegin(), m_segments.cend());
   }
 
   std::unique_ptr<Quadrangulation_surface>& m_surface;
+  const bool m_border_is_curve;                     // of the quads, too
   std::unique_ptr<Quadrangulation_surface> m_input; // null while m_surface is the input
   std::unique_ptr<Reference_surface> m_reference;   // the input
   double m_largest_distance = 0;                    // between the working mesh and the input
-  std::vector<Segment_3> m_segments;                // of the features and borders of the input
+  std::vector<Segment_3> m_segments;                // of the curves of the input
   std::unique_ptr<Curve_tree> m_curves;
 };
 
