@@ -309,6 +309,10 @@ private:
       m_result.message +=
         "; " + std::to_string(std::lround(100 * m_result.released_feature_share)) +
         " percent of the length of the sharp edges left no room for quads along them and were not followed";
+    if(m_result.dropped_feature_edges != 0)
+      m_result.message += "; " + std::to_string(m_result.dropped_feature_edges) +
+                          (m_result.dropped_feature_edges == 1 ? " sharp edge was" : " sharp edges were") +
+                          " taken for noise at this size of quads";
     if(m_result.folded_quads != 0)
       m_result.message += "; " + std::to_string(m_result.folded_quads) +
                           (m_result.folded_quads == 1 ? " quad is" : " quads are") + " inverted";
