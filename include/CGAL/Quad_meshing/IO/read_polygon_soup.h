@@ -42,7 +42,8 @@ CGAL_QUAD_MESHING_INLINE Mesh_reading_result read_polygon_soup(const std::string
  * file; if it cannot read it says why, and `points` and `polygons` stay as they were.
  *
  * \tparam PointRange a model of `BackInsertionSequence` whose value type can be constructed from three numbers of type
- * `double` \tparam PolygonRange a model of `BackInsertionSequence` whose value type is a model of
+ * `double`
+ * \tparam PolygonRange a model of `BackInsertionSequence` whose value type is a model of
  *                      `BackInsertionSequence` with value type `std::size_t`
  *
  * \param filename the name of the file

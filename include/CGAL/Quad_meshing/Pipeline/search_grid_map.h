@@ -83,7 +83,8 @@ not released
 \param weight their weights; infinite: the field has that direction
 \param request the length and the number of the quads
 \param options what is asked for; its edge length is only looked at for whether it is 0: then plans may change the
-length for a number of quads that is nearer to the one asked for \param visitor may stop the search
+length for a number of quads that is nearer to the one asked for
+\param visitor may stop the search
 
 \sa `quadrangulate()`
 */

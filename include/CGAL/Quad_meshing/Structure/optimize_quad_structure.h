@@ -104,8 +104,9 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  * \tparam NamedParametersTM a sequence of named parameters
  *
  * \param qm the quad mesh. There are not more vertices, edges and faces afterwards than before, and those that remain
- * have descriptors of the input: the irregular and the constrained vertices their own. \param tm the reference surface,
- * a triangle mesh \param np_qm an optional sequence of named parameters for `qm` among those listed below
+ * have descriptors of the input: the irregular and the constrained vertices their own.
+ * \param tm the reference surface, a triangle mesh
+ * \param np_qm an optional sequence of named parameters for `qm` among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
