@@ -69,7 +69,7 @@ struct Work
   double quads() const { return CGAL::Polygon_mesh_processing::area(input) / (length * length); }
 };
 
-double sine_quality(const Mesh& m, Mesh::Face_index f)
+double shape_quality(const Mesh& m, Mesh::Face_index f)
 {
   const Mesh::Halfedge_index h = m.halfedge(f);
   const Point_3 &p = m.point(m.source(h)), &q = m.point(m.target(h)), &r = m.point(m.target(m.next(h)));
@@ -211,7 +211,7 @@ void test_coarse_surfaces()
       assert(CGAL::squared_distance(w.mesh.point(w.mesh.vertex(e, 0)), w.mesh.point(w.mesh.vertex(e, 1))) <
              1.501 * 1.501 * 0.01);
     for(Mesh::Face_index f : w.mesh.faces())
-      bad += sine_quality(w.mesh, f) < 0.3;
+      bad += shape_quality(w.mesh, f) < 0.3;
     std::cout << "    " << bad << " bad triangles" << std::endl;
     assert(bad <= w.mesh.number_of_faces() / 50);
   }
@@ -225,7 +225,7 @@ void test_slivers()
   check("needles", w, 30);
   std::size_t bad = 0;
   for(Mesh::Face_index f : w.mesh.faces())
-    bad += sine_quality(w.mesh, f) < 0.3;
+    bad += shape_quality(w.mesh, f) < 0.3;
   std::cout << "    " << bad << " of " << w.mesh.number_of_faces() << " bad triangles" << std::endl;
   assert(bad <= w.mesh.number_of_faces() / 50);
 }

@@ -97,9 +97,13 @@ public:
     for(Mesh::Vertex_index v : quads.mesh.vertices())
     {
       Point_3& p = quads.mesh.point(v);
-      const Reference_surface::Location place = walk(p, hint(quads.location[v].first));
-      p = is_on_curve[v] && m_curves ? m_curves->closest_point(p)
-                                     : Point_3(place.point.x(), place.point.y(), place.point.z());
+      if(is_on_curve[v] && m_curves)
+      {
+        p = m_curves->closest_point(p);
+        continue;
+      }
+      const Reference_surface::Point_3 q = walk(p, hint(quads.location[v].first)).point;
+      p = Point_3(q.x(), q.y(), q.z());
     }
   }
 

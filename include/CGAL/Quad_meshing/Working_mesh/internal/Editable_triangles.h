@@ -100,6 +100,20 @@ public:
     while(h != -1 && h != first);
   }
 
+  int other_end(int h, int v) const { return source(h) == v ? target(h) : source(h); }
+
+  // The edges of curves at a vertex, each by a halfedge of it.
+  void curves_at(int v, std::vector<int>& curves)
+  {
+    leaving(v, m_leaving);
+    curves.clear();
+    for(int h : m_leaving)
+      if(is_on_curve(h))
+        curves.push_back(h);
+    if(const int last = prev(m_leaving.back()); opposite[last] == -1)
+      curves.push_back(last);
+  }
+
   // Moves v, one end of the edge of a halfedge, into the other end; removes the faces on both sides. The caller has
   // checked that the surface stays one.
   void collapse(int h, int v)

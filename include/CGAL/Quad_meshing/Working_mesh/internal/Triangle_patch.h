@@ -44,7 +44,7 @@ public:
   struct Limits
   {
     double error = 0;                 // a length
-    double quality = 0.35;            // see quality(): a triangle of 60 degrees and two sides of ratio 1 : 4 has 0.53,
+    double quality = 0.35;            // see quality(): a triangle of 60 degrees and two sides of ratio 1 : 4 has 0.40,
                                       // a rectangular one of ratio 1 : 5 has 0.33
     double cosine = std::sqrt(3) / 2; // of the angle to the mean normal of the input: 30 degrees
   };

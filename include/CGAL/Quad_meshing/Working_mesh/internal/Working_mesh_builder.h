@@ -102,13 +102,13 @@ private:
   static constexpr double tolerated_growth = 1.1;
   // A curve may not turn by more at a vertex, in radians, where it did not before: 25 degrees.
   static constexpr double largest_turn = 25 * CGAL_PI / 180;
-  // More rounds than these change little.
+  // Chosen, not fitted: with 3 needles of CAD parts still leave bad triangles.
   static constexpr int rounds_of_improvement = 6;
   // Triangles better than this are left in place by move().
   static constexpr double good_quality = 0.7;
   // Sums of two cotangents that are nearer to zero than this are those of a rectangle.
   static constexpr double least_gain = 1e-6;
-  // Passes over all edges; the later ones find next to nothing.
+  // Passes over all edges: a bound on the work where flips go on and on.
   static constexpr int most_passes_of_flips = 10;
   // Vertices and edges that are looked at between two reports to the visitor: a few milliseconds.
   static constexpr int elements_per_report = 4096;
@@ -190,7 +190,7 @@ private:
       if(m_mark[x] == w + 1)
       {
         ++common;
-        result = result && number_of_faces(x) > (is_on_border(x) ? 1 : 3);
+        result = result && can_lose_a_face(x);
       }
     const int o = triangles.opposite[h];
     triangles.leaving(w, m_leaving);
@@ -211,36 +211,18 @@ private:
     return m_neighbors;
   }
 
-  int number_of_faces(int v)
+  // Whether a vertex is left with a face on the border, and with three inside.
+  bool can_lose_a_face(int v)
   {
     triangles.leaving(v, m_other_leaving);
-    return static_cast<int>(m_other_leaving.size());
+    const bool is_on_border = triangles.opposite[m_other_leaving.front()] == -1;
+    return m_other_leaving.size() > (is_on_border ? 1 : 3);
   }
-
-  bool is_on_border(int v)
-  {
-    triangles.leaving(v, m_other_leaving);
-    return triangles.opposite[m_other_leaving.front()] == -1;
-  }
-
-  // The edges of curves at a vertex, each by a halfedge of it.
-  void curves_at(int v, std::vector<int>& curves)
-  {
-    triangles.leaving(v, m_other_leaving);
-    curves.clear();
-    for(int g : m_other_leaving)
-      if(triangles.is_on_curve(g))
-        curves.push_back(g);
-    if(const int last = triangles.prev(m_other_leaving.back()); triangles.opposite[last] == -1)
-      curves.push_back(last);
-  }
-
-  int other_end(int h, int v) const { return triangles.source(h) == v ? triangles.target(h) : triangles.source(h); }
 
   // A vertex of a curve goes along the curve only; ends and crossings of curves stay.
   bool stays_a_curve(int h, int v, int w, int& other, double& error)
   {
-    curves_at(v, m_curves);
+    triangles.curves_at(v, m_curves);
     if(m_curves.empty())
       return true;
     if(m_curves.size() != 2 || !triangles.is_on_curve(h))
@@ -249,8 +231,8 @@ private:
     for(int g : m_curves)
     {
       old_error = (std::max)(old_error, triangles.curve_error[g]);
-      if(other_end(g, v) != w)
-        other = other_end(g, v);
+      if(triangles.other_end(g, v) != w)
+        other = triangles.other_end(g, v);
     }
     const int o = triangles.opposite[h];
     if(other == -1 || other == triangles.apex(h) || (o != -1 && other == triangles.apex(o)))
@@ -263,10 +245,11 @@ private:
   // Whether the curve through a does not turn more there if it goes on to c instead of b.
   bool turns_enough(int a, int b, int c)
   {
-    curves_at(a, m_curves);
+    triangles.curves_at(a, m_curves);
     if(m_curves.size() != 2)
       return true;
-    const int before = other_end(m_curves[0], a) == b ? other_end(m_curves[1], a) : other_end(m_curves[0], a);
+    const int before = triangles.other_end(m_curves[0], a) == b ? triangles.other_end(m_curves[1], a)
+                                                                : triangles.other_end(m_curves[0], a);
     const Point_3& p = triangles.points[a];
     const Vector_3 in = p - triangles.points[before];
     return turn(in, triangles.points[c] - p) <= (std::max)(largest_turn, turn(in, triangles.points[b] - p));
@@ -282,7 +265,7 @@ private:
     triangles.leaving(v, m_leaving);
     for(int g : m_leaving)
       for(int k : { g, triangles.prev(g) })
-        if(other_end(k, v) == w)
+        if(triangles.other_end(k, v) == w)
         {
           triangles.curve_error[k] = error;
           if(triangles.opposite[k] != -1)
@@ -343,7 +326,6 @@ private:
   {
     typedef std::tuple<double, int, int> Entry; // length, and the vertices that it was measured between
     std::priority_queue<Entry> queue;
-    std::vector<int> halfedge; // per entry's first vertex: found again around it
     auto push = [&](int h)
     {
       if(triangles.vector(h).squared_length() > m_longest * m_longest)
@@ -430,8 +412,8 @@ private:
     m_patch.add({ { p[d], p[b], p[c] } });
     Triangle_patch::Limits limits = m_limits;
     limits.quality = 0;
-    if(!m_patch.is_acceptable(midpoint(p[a], p[b]), limits) || c == d || is_next_to(c, d) ||
-       number_of_faces(a) <= (is_on_border(a) ? 1 : 3) || number_of_faces(b) <= (is_on_border(b) ? 1 : 3))
+    if(!m_patch.is_acceptable(midpoint(p[a], p[b]), limits) || c == d || is_next_to(c, d) || !can_lose_a_face(a) ||
+       !can_lose_a_face(b))
       return;
     triangles.flip(h);
     m_face_input[f] = m_patch.inputs()[0];
