@@ -250,6 +250,59 @@ std::size_t kept_edges(const test_meshes::Soup& soup, double length)
   return marked;
 }
 
+// A crease nearly along the x-axis, between a sheet in the plane z = 0 and one in the plane y = 0. The first sheet
+// passes by a vertex of the crease at a point that lies beyond it; of the two slivers between, one is folded over, and
+// the sharp edges run to and fro.
+test_meshes::Soup slivers_on_a_crease()
+{
+  const std::size_t n = 20, first = 9;
+  test_meshes::Soup soup;
+  for(std::size_t i = 0; i <= n; ++i)
+  {
+    const double x = static_cast<double>(i), dent = i == first + 1 ? -0.03 : 0.;
+    soup.points.insert(soup.points.end(),
+                       { Kernel::Point_3(x, 0, dent), Kernel::Point_3(x, 1, 0), Kernel::Point_3(x, 0, -1) });
+  }
+  soup.points.emplace_back(first + 1.33, 0.004, -0.03);
+  const std::size_t tip = 3 * (n + 1);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t a = 3 * i, b = 3 * (i + 1);
+    soup.add_quad(b, a, a + 2, b + 2);
+    if(i != first && i != first + 1)
+    {
+      soup.add_quad(a, b, b + 1, a + 1);
+      continue;
+    }
+    soup.triangles.push_back({ { a, b, tip } });
+    soup.triangles.push_back({ { tip, b + 1, a + 1 } });
+    if(i == first)
+      soup.triangles.push_back({ { a, tip, a + 1 } });
+    else
+      soup.triangles.push_back({ { tip, b, b + 1 } });
+  }
+  return soup;
+}
+
+// The crease goes straight on under the slivers.
+void test_creases_to_and_fro()
+{
+  Mesh tm = test_meshes::make_mesh(slivers_on_a_crease());
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  const QM::Feature_edges_result r = QM::detect_feature_edges(tm, 40, 0.5, is_feature);
+  assert(r.number_of_edges == 20 && std::abs(r.length - 20) < 0.01);
+  for(Mesh::Edge_index e : tm.edges())
+  {
+    bool on_crease = true;
+    for(int i : { 0, 1 })
+    {
+      const Kernel::Point_3 p = tm.point(tm.vertex(e, i));
+      on_crease = on_crease && p.y() == 0 && p.z() > -0.5;
+    }
+    assert(is_feature[e] == on_crease);
+  }
+}
+
 // Two creases along a strip that no quad fits into become one; larger ones stay two.
 void test_narrow_patches()
 {
@@ -904,6 +957,7 @@ int main(int argc, char** argv)
                      { "cut_graphs", test_cut_graphs },
                      { "preparation", test_preparation },
                      { "feature_filter", test_feature_filter },
+                     { "creases_to_and_fro", test_creases_to_and_fro },
                      { "narrow_patches", test_narrow_patches },
                      { "networks_of_short_chains", test_networks_of_short_chains },
                      { "maps", test_maps },

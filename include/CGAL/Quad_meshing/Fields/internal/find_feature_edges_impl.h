@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Fields/internal/Crease_graph.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/internal/merge_narrow_patches.h>
+#include <CGAL/Quad_meshing/Fields/internal/straighten_creases.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -63,11 +64,15 @@ CGAL_QUAD_MESHING_INLINE Feature_edges_result find_feature_edges(const Indexed_t
   // Half a quad of a grid of twice the density: nothing can be followed on both sides there.
   const double least_width = target_edge_length / 4;
   std::vector<char> is_sharp = find_sharp_edges(m, angle_in_degrees);
-  std::vector<int> sharp_edges;
-  for(int e = 0; e < m.number_of_edges(); ++e)
-    if(is_sharp[e])
-      sharp_edges.push_back(e);
+  const std::vector<char> is_sharp_at_first = is_sharp;
+  // Before, so that a sliver does not part two patches; after, for what is left of narrow patches may run to and fro.
+  Crease_straightening(m, is_sharp).run();
   result.number_of_dropped_pieces = merge_narrow_patches(m, least_width, is_sharp);
+  Crease_straightening(m, is_sharp).run();
+  std::vector<int> sharp_edges; // in the order of the graph
+  for(int e = 0; e < m.number_of_edges(); ++e)
+    if(is_sharp[e] || is_sharp_at_first[e])
+      sharp_edges.push_back(e);
 
   Crease_graph creases(m.points);
   for(int e = 0; e < m.number_of_edges(); ++e)

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Combed_charts.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/Cone_profile.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Face_gradients.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Map_optimization.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Orientation_energy.h>
@@ -55,6 +56,7 @@ public:
     , coordinates(charts, is_singular, is_aligned)
     , faces(charts, sizing)
     , m_sectors(coordinates, quarters, is_aligned)
+    , m_profile(mesh, m_sectors, is_aligned, sizing)
     , m_optimization(coordinates, faces, m_sectors, progress)
     , m_progress(progress)
   {
@@ -77,9 +79,10 @@ public:
       Integer_energy result;
       bool is_done;
     };
-    const auto data = std::make_shared<Reduction>(Reduction{
-      Orientation_energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy, &m_progress),
-      coordinates.is_integer, Integer_energy(), false });
+    const auto data =
+      std::make_shared<Reduction>(Reduction{ Orientation_energy(coordinates, Face_gradients(charts, m_profile.sizing),
+                                                                m_profile.weight, anisotropy, &m_progress),
+                                             coordinates.is_integer, Integer_energy(), false });
     const Orientation_energy& energy = data->energy;
     if(!m_progress.go_further() ||
        !run_aside(coordinates.number_of_variables(), m_progress, data,
@@ -265,6 +268,7 @@ public:
 
 private:
   const Vertex_sectors m_sectors;
+  const Cone_profile m_profile;
   Map_optimization m_optimization;
   Stage_progress& m_progress;
   Integer_energy m_reduction;
@@ -276,9 +280,10 @@ private:
 
   bool untangle_seamless(Eigen::VectorXd& y)
   {
-    const int few_rings = 3, few_steps = 20; // translations move everything along the cuts: such steps are costly
+    // Translations move everything along the cuts: such steps are costly.
+    const int few_rings = 3, more_rings = 6, few_steps = 40;
     return m_optimization.untangle(y, coordinates.is_integer, few_rings) ||
-           m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), few_rings,
+           m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), more_rings,
                                    few_steps);
   }
 

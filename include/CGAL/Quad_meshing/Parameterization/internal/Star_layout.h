@@ -61,7 +61,7 @@ private:
   {
     double total = 0;
     for(int h : sector.halfedges)
-      total += angle_at_source(h);
+      total += Vertex_sectors::angle_at_source(m_mesh, h);
     const double scale = total > 0 ? sector.quarters * Vertex_sectors::right_angle / total : 0;
 
     // Directions in the chart of the face of each halfedge; `turned` counts the quarters from the first chart.
@@ -76,7 +76,7 @@ private:
       const Eigen::Vector2d d = in_field_frame(h);
       const double off = std::atan2(d.y(), d.x()) - direction[i];
       mean += Eigen::Vector2d(std::cos(off), std::sin(off));
-      along += scale * angle_at_source(h);
+      along += scale * Vertex_sectors::angle_at_source(m_mesh, h);
       if(i + 1 < direction.size())
         turned += m_coordinates.charts.quarters_across(Indexed_triangle_mesh::prev(h));
     }
@@ -109,12 +109,6 @@ private:
           is_placed[t.first] = true;
           break;
         }
-  }
-
-  double angle_at_source(int h) const
-  {
-    const auto a = m_mesh.vector(h), b = -m_mesh.vector(Indexed_triangle_mesh::prev(h));
-    return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
   }
 
   // The vector of h in the frame of the combed field, in units of the target edge length.

@@ -14,6 +14,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -55,6 +56,13 @@ struct Vertex_sectors
   }
 
   static constexpr double right_angle = CGAL_PI / 2;
+
+  // The angle of a triangle on the surface, at the source of halfedge h.
+  static double angle_at_source(const Indexed_triangle_mesh& mesh, int h)
+  {
+    const auto a = mesh.vector(h), b = -mesh.vector(Indexed_triangle_mesh::prev(h));
+    return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
+  }
 
 private:
   void add_sectors(int v, const Seamless_coordinates& coordinates, int quarters, const std::vector<bool>& is_aligned)
