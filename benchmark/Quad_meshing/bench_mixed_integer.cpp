@@ -264,9 +264,11 @@ void print_sizes(const std::string& name, const Mesh& tm)
 // What the order of elimination does to the matrix ([Bom12, 5.3], the fill-in experiment).
 void print_orders_header()
 {
-  std::printf("Order of elimination: entries of the matrix, and seconds of greedy rounding\n");
-  std::printf("%9s %12s %9s | %12s %10s | %12s %10s | %12s %10s\n", "variables", "constraints", "integers",
-              "fewest first", "seconds", "as given", "seconds", "shuffled", "seconds");
+  std::printf(
+    "Order of elimination: entries of the matrix, and seconds of greedy rounding; of the variables of a constraint "
+    "goes\nthe one in the fewest other constraints, or the first with the largest coefficient\n");
+  std::printf("%9s %12s %9s %-20s | %12s %10s | %12s %10s | %12s %10s\n", "variables", "constraints", "integers",
+              "variable", "fewest first", "seconds", "as given", "seconds", "shuffled", "seconds");
 }
 
 // The constraints of a map come in chains along cuts and features, which is an order of its own.
@@ -287,19 +289,25 @@ Problem shuffled(const Problem& problem)
 
 void print_orders(const Problem& problem)
 {
-  std::printf("%9d %12d %9d", problem.number_of_variables(), static_cast<int>(problem.equality_constraints().size()),
-              problem.number_of_integers());
-  const auto print = [](const Problem& given, QM::Elimination_order order)
+  const Problem other_order = shuffled(problem);
+  for(QM::Elimination_pivot pivot :
+      { QM::Elimination_pivot::FEWEST_CONSTRAINTS, QM::Elimination_pivot::LARGEST_COEFFICIENT })
   {
-    const Solution s =
-      QM::solve_mixed_integer(given, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order));
-    std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
-    std::fflush(stdout);
-  };
-  print(problem, QM::Elimination_order::FEWEST_COEFFICIENTS);
-  print(problem, QM::Elimination_order::AS_GIVEN);
-  print(shuffled(problem), QM::Elimination_order::AS_GIVEN);
-  std::printf("\n");
+    std::printf("%9d %12d %9d %-20s", problem.number_of_variables(),
+                static_cast<int>(problem.equality_constraints().size()), problem.number_of_integers(),
+                pivot == QM::Elimination_pivot::FEWEST_CONSTRAINTS ? "fewest constraints" : "largest coefficient");
+    const auto print = [pivot](const Problem& given, QM::Elimination_order order)
+    {
+      const Solution s = QM::solve_mixed_integer(
+        given, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order).elimination_pivot(pivot));
+      std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
+      std::fflush(stdout);
+    };
+    print(problem, QM::Elimination_order::FEWEST_COEFFICIENTS);
+    print(problem, QM::Elimination_order::AS_GIVEN);
+    print(other_order, QM::Elimination_order::AS_GIVEN);
+    std::printf("\n");
+  }
 }
 
 void print_elimination_orders()
