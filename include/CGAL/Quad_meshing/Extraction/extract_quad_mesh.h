@@ -117,11 +117,8 @@ Quad_extraction_result extract_quad_mesh(const TriangleMesh& tm, HalfedgeUVMap u
   typedef typename boost::property_map<QuadMesh, vertex_point_t>::type Quad_vpm;
   typedef typename boost::property_traits<Quad_vpm>::value_type Quad_point;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t, internal_np::face_location_map_t,
-                               internal_np::visitor_t>::value;
-  static_assert(takes_parameters, "extract_quad_mesh() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t,
+                             internal_np::face_index_t, internal_np::face_location_map_t, internal_np::visitor_t>();
 
   internal::Named_visitor<NamedParameters> visitor(np);
 

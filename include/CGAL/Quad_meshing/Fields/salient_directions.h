@@ -81,11 +81,9 @@ Curvature_guide_result salient_directions(const TriangleMesh& tm, double target_
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
   typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::minimum_anisotropy_t, internal_np::visitor_t,
-                               internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
-                               internal_np::geom_traits_t>::value;
-  static_assert(takes_parameters, "salient_directions() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::minimum_anisotropy_t, internal_np::visitor_t,
+                             internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+                             internal_np::geom_traits_t>();
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The map of directions must take an optional vector for every face, such as std::optional<Vector_3>.");
 

@@ -95,11 +95,8 @@ Curvature_guide_result curvature_sizing(const TriangleMesh& tm, double tolerance
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::sizing_gradation_t, internal_np::visitor_t,
-                               internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t>::value;
-  static_assert(takes_parameters, "curvature_sizing() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::sizing_gradation_t, internal_np::visitor_t,
+                             internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>();
 
   const double gradation = choose_parameter(get_parameter(np, internal_np::sizing_gradation), 0.3);
 

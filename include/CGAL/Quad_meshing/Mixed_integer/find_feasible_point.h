@@ -76,11 +76,9 @@ template <typename NamedParameters = parameters::Default_named_parameters>
 Feasible_point find_feasible_point(const Mixed_integer_problem& problem,
                                    const NamedParameters& np = parameters::default_values())
 {
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::rounding_method_t, internal_np::constraint_tolerance_t,
-                               internal_np::maximum_number_of_nodes_t, internal_np::maximum_running_time_t,
-                               internal_np::sparse_linear_solver_t, internal_np::visitor_t>::value;
-  static_assert(takes_parameters, "find_feasible_point() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::rounding_method_t, internal_np::constraint_tolerance_t,
+                             internal_np::maximum_number_of_nodes_t, internal_np::maximum_running_time_t,
+                             internal_np::sparse_linear_solver_t, internal_np::visitor_t>();
 
   const internal::Solver_options options = internal::read_solver_options(np, Rounding_method::RELAXED);
   internal::Named_visitor<NamedParameters> visitor(np);

@@ -154,9 +154,6 @@ template <typename NamedParameters = parameters::Default_named_parameters>
 Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                            const NamedParameters& np = parameters::default_values())
 {
-  constexpr bool takes_parameters = internal::Takes_solver_parameters<NamedParameters>::value;
-  static_assert(takes_parameters, "solve_mixed_integer() does not take one of the named parameters.");
-
   const internal::Solver_options options = internal::read_solver_options(
     np, problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND : Rounding_method::GREEDY);
   internal::Named_visitor<NamedParameters> visitor(np);

@@ -38,11 +38,9 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
   typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
-  constexpr bool takes_parameters =
-    Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
-                     internal_np::vertex_is_constrained_t, internal_np::smoothing_iterations_t,
-                     internal_np::smooth_globally_t, internal_np::visitor_t>::value;
-  static_assert(takes_parameters, "smooth_quad_mesh() does not take one of the named parameters.");
+  check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                   internal_np::vertex_is_constrained_t, internal_np::smoothing_iterations_t,
+                   internal_np::smooth_globally_t, internal_np::visitor_t>();
 
   Smoothing_options options;
   read_parameter(np, internal_np::smoothing_iterations, options.iterations);

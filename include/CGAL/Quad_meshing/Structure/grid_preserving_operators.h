@@ -91,11 +91,9 @@ struct Gp_input
     using parameters::choose_parameter;
     using parameters::get_parameter;
 
-    constexpr bool takes_parameters =
-      Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
-                       internal_np::vertex_is_constrained_t, internal_np::merge_singularities_t,
-                       internal_np::operator_step_cost_t>::value;
-    static_assert(takes_parameters, "Grid-preserving operators do not take one of the named parameters.");
+    check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                     internal_np::vertex_is_constrained_t, internal_np::merge_singularities_t,
+                     internal_np::operator_step_cost_t>();
 
     CGAL_precondition(is_quad_mesh(qm));
     const auto vpm =

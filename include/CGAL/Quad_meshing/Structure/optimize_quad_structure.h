@@ -39,14 +39,12 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
 {
   typedef Quad_structure_optimization_result Result;
 
-  constexpr bool takes_parameters =
-    Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
-                     internal_np::vertex_is_constrained_t, internal_np::structure_method_t,
-                     internal_np::merge_singularities_t, internal_np::collapse_dual_curves_t,
-                     internal_np::target_number_of_quads_t, internal_np::target_number_of_patches_t,
-                     internal_np::number_of_iterations_t, internal_np::smoothing_iterations_t,
-                     internal_np::maximum_running_time_t, internal_np::visitor_t>::value;
-  static_assert(takes_parameters, "optimize_quad_structure() does not take one of the named parameters.");
+  check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                   internal_np::vertex_is_constrained_t, internal_np::structure_method_t,
+                   internal_np::merge_singularities_t, internal_np::collapse_dual_curves_t,
+                   internal_np::target_number_of_quads_t, internal_np::target_number_of_patches_t,
+                   internal_np::number_of_iterations_t, internal_np::smoothing_iterations_t,
+                   internal_np::maximum_running_time_t, internal_np::visitor_t>();
 
   Structure_options options;
   read_parameter(np, internal_np::structure_method, options.method);

@@ -44,10 +44,8 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
   using parameters::get_parameter;
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
 
-  constexpr bool takes_parameters =
-    Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                     internal_np::face_index_t, internal_np::edge_is_constrained_t>::value;
-  static_assert(takes_parameters, "A reference surface does not take one of the named parameters.");
+  check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+                   internal_np::edge_is_constrained_t>();
 
   const auto vpm =
     choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));

@@ -22,21 +22,18 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Whether a pack holds nothing but parameters of the solver of mixed-integer problems.
-template <typename NamedParameters>
-using Takes_solver_parameters = Takes_parameters<
-  NamedParameters, internal_np::rounding_method_t, internal_np::sparse_linear_solver_t,
-  internal_np::elimination_order_t, internal_np::elimination_pivot_t, internal_np::constraint_tolerance_t,
-  internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
-  internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t,
-  internal_np::simultaneous_rounding_t, internal_np::maximum_dense_integers_t, internal_np::maximum_number_of_nodes_t,
-  internal_np::number_of_bound_rounds_t, internal_np::maximum_running_time_t, internal_np::relative_gap_tolerance_t,
-  internal_np::subproblem_selection_t, internal_np::branching_rule_t, internal_np::visitor_t>;
-
 // The options that a pack of named parameters sets; `default_method` holds where it names none.
 template <typename NamedParameters>
 Solver_options read_solver_options(const NamedParameters& np, Rounding_method default_method)
 {
+  check_parameters<
+    NamedParameters, internal_np::rounding_method_t, internal_np::sparse_linear_solver_t,
+    internal_np::elimination_order_t, internal_np::elimination_pivot_t, internal_np::constraint_tolerance_t,
+    internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
+    internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t,
+    internal_np::simultaneous_rounding_t, internal_np::maximum_dense_integers_t, internal_np::maximum_number_of_nodes_t,
+    internal_np::number_of_bound_rounds_t, internal_np::maximum_running_time_t, internal_np::relative_gap_tolerance_t,
+    internal_np::subproblem_selection_t, internal_np::branching_rule_t, internal_np::visitor_t>();
   Solver_options options;
   options.method = default_method;
   read_parameter(np, internal_np::rounding_method, options.method);
