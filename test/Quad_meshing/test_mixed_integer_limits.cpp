@@ -296,7 +296,7 @@ void elimination_order()
   std::cout << "  entries " << best.matrix_entries << ", " << given.matrix_entries << " and " << largest.matrix_entries
             << std::endl;
   assert(largest.status == Status::OPTIMAL && (best.x - largest.x).lpNorm<Eigen::Infinity>() < 1e-6);
-  assert(largest.matrix_entries > best.matrix_entries);
+  assert(largest.matrix_entries > 0. && largest.matrix_entries != best.matrix_entries);
   assert(best.status == Status::OPTIMAL && given.status == Status::OPTIMAL);
   assert((best.x - given.x).lpNorm<Eigen::Infinity>() < 1e-6);
   assert(best.matrix_entries > 0. && given.matrix_entries > 0. && best.matrix_entries != given.matrix_entries);
