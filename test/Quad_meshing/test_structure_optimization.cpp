@@ -24,8 +24,10 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Accepted_shape.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
@@ -791,6 +793,64 @@ void test_time_limit()
     }
 }
 
+// Which shapes are accepted, by what the input is like.
+void test_accepted_shapes()
+{
+  QM::Quad_mesh_smoothing_result input;
+  input.folded_quads_before = 2;
+  input.quality_before.number_of_inverted_quads = 1;
+  input.quality_before.minimal_scaled_jacobian = 0.6;
+  const auto result = [](double jacobian, std::size_t folded, std::size_t inverted)
+  {
+    QM::Quad_mesh_smoothing_result r;
+    r.folded_quads_after = folded;
+    r.quality_after.number_of_inverted_quads = inverted;
+    r.quality_after.minimal_scaled_jacobian = jacobian;
+    return r;
+  };
+  const QM::internal::Accepted_shape shape(input, false), coarse(input, true), any;
+  assert(shape.accepts(result(0.31, 2, 1)) && !shape.accepts(result(0.29, 2, 1))); // half of 0.6
+  assert(!shape.accepts(result(0.6, 3, 1)) && !shape.accepts(result(0.6, 2, 2)));
+  assert(coarse.accepts(result(0.29, 2, 1)) && !coarse.accepts(result(0.6, 3, 1)));
+  assert(any.accepts(result(-1, 9, 9)) && any.is_good(result(-1, 9, 9)));
+  assert(shape.is_good(result(0.49, 0, 0)) && !shape.is_good(result(0.47, 0, 0))); // 0.8 of 0.6
+  QM::Quad_mesh_smoothing_result stopped = result(0.6, 0, 0);
+  stopped.status = Status::STOPPED;
+  assert(!shape.accepts(stopped) && !any.accepts(stopped));
+  input.quality_before.minimal_scaled_jacobian = 0.9;
+  assert(QM::internal::Accepted_shape(input, false).is_good(result(0.51, 0, 0))); // enough for anyone
+}
+
+// The prices of layouts: what reaches a goal costs half, what misses it costs more the farther it is, and quads too
+// many cost more than anything that they could be a price for.
+void test_goals()
+{
+  typedef QM::internal::Layout_weights Weights;
+  QM::Quad_mesh_structure structure;
+  structure.number_of_helices = 50;
+  structure.number_of_patches = 300;
+  structure.number_of_quads = 1000;
+  QM::Quad_mesh_quality quality;
+  quality.mean_angle_deviation = 10;
+  QM::internal::Layout_goals goals(structure, quality, 1000);
+  const double patches = Weights::patches * 300, fewest = 1000 * (1 - Weights::loss);
+  assert(std::abs(goals.price_of_structure(10, patches, fewest) - 1.5) < 1e-12);
+  const double enough = fewest + 1; // whatever rounding does
+  assert(goals.are_reached(10, patches, enough, 0) && !goals.are_reached(10.1, patches, enough, 0));
+  assert(!goals.are_reached(10, patches + 1, enough, 0) && !goals.are_reached(10, patches, fewest - 1, 0));
+  assert(!goals.are_reached(10, patches, enough, 100.1 * (Weights::growth * Weights::growth - 1)));
+  assert(std::abs(goals.price_of_structure(20, 0, 1000) - (1 + Weights::helices_and_patches_above_goal)) < 1e-12);
+  assert(goals.price_of_quads(1000) == 0);
+  assert(std::abs(goals.price_of_quads(1100) - Weights::surplus / 10) < 1e-12);
+  const double half_lost = goals.price_of_quads(500);
+  assert(half_lost > goals.price_of_quads(fewest));
+  goals.neglect_loss();
+  assert(goals.price_of_quads(500) < half_lost && std::abs(goals.price_of_quads(1100) - Weights::surplus / 10) < 1e-12);
+  assert(goals.price_of_growth(-3) == 0 && goals.price_of_growth(50) > goals.price_of_growth(20));
+  // A target far below the input is no goal.
+  assert(QM::internal::Layout_goals(structure, quality, 100).price_of_quads(900) == 0);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -801,6 +861,8 @@ int main(int argc, char** argv)
       { "distortion", test_distortion },
       { "distortion_derivatives", test_distortion_derivatives },
       { "distortion_of_shifted_vertices", test_distortion_of_shifted_vertices },
+      { "accepted_shapes", test_accepted_shapes },
+      { "goals", test_goals },
       { "twisted_cubes_by_layout", [] { test_twisted_cubes(QM::Structure_method::LAYOUT); } },
       { "twisted_cubes_by_helices", [] { test_twisted_cubes(QM::Structure_method::HELICES); } },
       { "cubes_with_helices_by_layout", [] { test_cubes_with_helices(QM::Structure_method::LAYOUT); } },
