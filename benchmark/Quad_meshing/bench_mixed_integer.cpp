@@ -7,7 +7,7 @@
 // Author(s)     : The Quad_meshing authors
 
 // Rounding methods beside one sparse Cholesky factorization of the same matrix and beside naive rounding, which
-// solves the system anew after each rounding.
+// solves the system anew after each rounding. Seconds are processor time.
 //
 //   bench_mixed_integer [--naive N] [--sizes] [--orders] [--greedy] [NAME or MESH ...]
 //
@@ -30,7 +30,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
 #include <CGAL/Random.h>
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -46,13 +46,24 @@ using namespace mixed_integer_problems;
 
 typedef QM::Mixed_integer_solution Solution;
 
+// Solves a problem; `seconds` of the solution are processor time, which says more than the clock on a busy machine.
+template <typename NamedParameters>
+Solution solve(const Problem& problem, const NamedParameters& np)
+{
+  CGAL::Timer timer;
+  timer.start();
+  Solution solution = QM::solve_mixed_integer(problem, np);
+  solution.seconds = timer.time();
+  return solution;
+}
+
 double factorization_seconds(const Problem& problem)
 {
   Eigen::SparseMatrix<double> A = problem.matrix();
   for(int i = 0; i < A.cols(); ++i)
     A.coeffRef(i, i) *= 1. + 1e-9; // fields and maps alone are fixed up to a constant
   QM::Sparse_cholesky<double> cholesky;
-  CGAL::Real_timer timer;
+  CGAL::Timer timer;
   timer.start();
   cholesky.compute(A);
   return timer.time();
@@ -82,11 +93,10 @@ void run(const std::string& name, const Problem& problem)
   std::printf("%s: %d variables, %d integers; one factorization %.4g s\n", name.c_str(), problem.number_of_variables(),
               problem.number_of_integers(), factorization);
   std::printf("  %-22s %12s %11s %14s %14s\n", "method", "time", "/ factor.", "cost", "lower bound");
-  print("direct", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::DIRECT)),
-        factorization);
+  print("direct", solve(problem, params::rounding_method(QM::Rounding_method::DIRECT)), factorization);
 
-  const Solution naive = QM::solve_mixed_integer(
-    problem, params::rounding_method(QM::Rounding_method::NAIVE).maximum_running_time(naive_seconds));
+  const Solution naive =
+    solve(problem, params::rounding_method(QM::Rounding_method::NAIVE).maximum_running_time(naive_seconds));
   if(naive.factorization_roundings == naive.free_integers)
     print("naive", naive, factorization);
   else
@@ -95,28 +105,24 @@ void run(const std::string& name, const Problem& problem)
     std::printf("  %-22s %10.4g s %9.1f x   (from %d roundings)\n", "naive", seconds, seconds / factorization,
                 naive.factorization_roundings);
   }
-  print("greedy", QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY)),
+  print("greedy", solve(problem, params::rounding_method(QM::Rounding_method::GREEDY)), factorization);
+  print("greedy, three levels",
+        solve(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0)), factorization);
+  print("  tolerance 1e-3",
+        solve(problem,
+              params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)),
         factorization);
-  print(
-    "greedy, three levels",
-    QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0)),
-    factorization);
-  print(
-    "  tolerance 1e-3",
-    QM::solve_mixed_integer(
-      problem, params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)),
-    factorization);
   if(problem.number_of_integers() <= 1000)
   {
     print(
       "lattice within 1 s",
-      QM::solve_mixed_integer(
+      solve(
         problem,
         params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(1e8).maximum_running_time(1.)),
       factorization);
     for(double nodes : { 1e6, 3e7, 1e9 })
     {
-      const Solution s = QM::solve_mixed_integer(
+      const Solution s = solve(
         problem,
         params::rounding_method(QM::Rounding_method::LATTICE).maximum_number_of_nodes(nodes).maximum_running_time(20.));
       const std::string title = "lattice, " + std::to_string(static_cast<long>(nodes / 1e6)) + "e6 nodes";
@@ -126,8 +132,7 @@ void run(const std::string& name, const Problem& problem)
     }
     if(problem.number_of_integers() <= most_relaxed_integers)
       print("  and relaxation",
-            QM::solve_mixed_integer(
-              problem, params::rounding_method(QM::Rounding_method::LATTICE).number_of_bound_rounds(bound_rounds)),
+            solve(problem, params::rounding_method(QM::Rounding_method::LATTICE).number_of_bound_rounds(bound_rounds)),
             factorization);
   }
   std::printf("\n");
@@ -144,30 +149,30 @@ void print_row(const std::string& name, const Problem& problem, int naive_limit,
 {
   const int integers = problem.number_of_integers();
   std::printf("%-20s %6d %6d", name.c_str(), integers, problem.number_of_variables() - integers);
-  print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::DIRECT)));
-  const Solution greedy = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::GREEDY));
+  print_cell(solve(problem, params::rounding_method(QM::Rounding_method::DIRECT)));
+  const Solution greedy = solve(problem, params::rounding_method(QM::Rounding_method::GREEDY));
   print_cell(greedy);
   if(has_levels)
-    print_cell(QM::solve_mixed_integer(
-      problem,
-      params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)));
+    print_cell(
+      solve(problem,
+            params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(0).rounding_tolerance(1e-3)));
   else
     std::printf(" | %17s", "-");
   if(integers <= naive_limit)
-    print_cell(QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE)));
+    print_cell(solve(problem, params::rounding_method(QM::Rounding_method::NAIVE)));
   else
     std::printf(" | %17s", "-");
   if(integers <= 1000)
   {
     const double factorization = factorization_seconds(problem);
-    const Solution s = QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::LATTICE));
+    const Solution s = solve(problem, params::rounding_method(QM::Rounding_method::LATTICE));
     print_cell(s);
     std::printf(" %9.3f %6.2f %% %-8s %8.4f %8.1f", s.lower_bound, 100. * (s.energy - s.lower_bound) / s.energy,
                 QM::status_name(s.status), s.energy / greedy.energy, s.seconds / factorization);
     if(s.status != QM::Mixed_integer_status::OPTIMAL && integers <= most_relaxed_integers)
     {
-      const Solution t = QM::solve_mixed_integer(
-        problem, params::rounding_method(QM::Rounding_method::LATTICE).number_of_bound_rounds(bound_rounds));
+      const Solution t =
+        solve(problem, params::rounding_method(QM::Rounding_method::LATTICE).number_of_bound_rounds(bound_rounds));
       std::printf(" | %9.3f %6.2f %% %8.3f", t.lower_bound, 100. * (t.energy - t.lower_bound) / t.energy, t.seconds);
     }
   }
@@ -233,24 +238,26 @@ void print_sizes(const std::string& name, const Mesh& tm)
     Mesh sized = resized(tm, triangles);
     const Problem field = field_problem(sized);
     const double field_factorization = factorization_seconds(field);
-    const Solution greedy = QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY));
-    const Solution coarse =
-      QM::solve_mixed_integer(field, params::rounding_method(QM::Rounding_method::GREEDY).rounding_tolerance(1e-3));
+    const Solution greedy = solve(field, params::rounding_method(QM::Rounding_method::GREEDY));
+    const Solution coarse = solve(field, params::rounding_method(QM::Rounding_method::GREEDY).rounding_tolerance(1e-3));
     auto angle = sized.add_property_map<Mesh::Face_index, double>("f:polished", 0.).first;
     auto jump = sized.add_property_map<Mesh::Edge_index, int>("e:polished", 0).first;
     auto index = sized.add_property_map<Mesh::Vertex_index, int>("v:polished", 0).first;
-    const QM::Cross_field_result polished = QM::smooth_cross_field(sized, angle, jump, index);
+    CGAL::Timer timer;
+    timer.start();
+    QM::smooth_cross_field(sized, angle, jump, index);
+    const double polished_seconds = timer.time();
     const Problem map = map_problem(sized, 4000);
     const double map_factorization = factorization_seconds(map);
-    const Solution map_greedy = QM::solve_mixed_integer(map, params::rounding_method(QM::Rounding_method::GREEDY));
-    const Solution map_lattice = QM::solve_mixed_integer(map, params::rounding_method(QM::Rounding_method::LATTICE));
+    const Solution map_greedy = solve(map, params::rounding_method(QM::Rounding_method::GREEDY));
+    const Solution map_lattice = solve(map, params::rounding_method(QM::Rounding_method::LATTICE));
     const auto cell = [](double seconds, double factorization)
     { std::printf(" %8.3f (%7.1f)", seconds, seconds / factorization); };
     std::printf("%9d |", static_cast<int>(sized.number_of_faces()));
     cell(greedy.seconds, field_factorization);
     cell(coarse.seconds, field_factorization);
     std::printf(" %10.4f", coarse.energy / greedy.energy);
-    cell(polished.seconds, field_factorization);
+    cell(polished_seconds, field_factorization);
     std::printf(" |");
     cell(map_greedy.seconds, map_factorization);
     cell(map_lattice.seconds, map_factorization);
@@ -264,9 +271,11 @@ void print_sizes(const std::string& name, const Mesh& tm)
 // What the order of elimination does to the matrix ([Bom12, 5.3], the fill-in experiment).
 void print_orders_header()
 {
-  std::printf("Order of elimination: entries of the matrix, and seconds of greedy rounding\n");
-  std::printf("%9s %12s %9s | %12s %10s | %12s %10s | %12s %10s\n", "variables", "constraints", "integers",
-              "fewest first", "seconds", "as given", "seconds", "shuffled", "seconds");
+  std::printf(
+    "Order of elimination: entries of the matrix, and seconds of greedy rounding; of the variables of a constraint "
+    "goes\nthe one in the fewest other constraints, or the first with the largest coefficient\n");
+  std::printf("%9s %12s %9s %-20s | %12s %10s | %12s %10s | %12s %10s\n", "variables", "constraints", "integers",
+              "variable", "fewest first", "seconds", "as given", "seconds", "shuffled", "seconds");
 }
 
 // The constraints of a map come in chains along cuts and features, which is an order of its own.
@@ -287,19 +296,25 @@ Problem shuffled(const Problem& problem)
 
 void print_orders(const Problem& problem)
 {
-  std::printf("%9d %12d %9d", problem.number_of_variables(), static_cast<int>(problem.equality_constraints().size()),
-              problem.number_of_integers());
-  const auto print = [](const Problem& given, QM::Elimination_order order)
+  const Problem other_order = shuffled(problem);
+  for(QM::Elimination_pivot pivot :
+      { QM::Elimination_pivot::FEWEST_CONSTRAINTS, QM::Elimination_pivot::LARGEST_COEFFICIENT })
   {
-    const Solution s =
-      QM::solve_mixed_integer(given, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order));
-    std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
-    std::fflush(stdout);
-  };
-  print(problem, QM::Elimination_order::FEWEST_COEFFICIENTS);
-  print(problem, QM::Elimination_order::AS_GIVEN);
-  print(shuffled(problem), QM::Elimination_order::AS_GIVEN);
-  std::printf("\n");
+    std::printf("%9d %12d %9d %-20s", problem.number_of_variables(),
+                static_cast<int>(problem.equality_constraints().size()), problem.number_of_integers(),
+                pivot == QM::Elimination_pivot::FEWEST_CONSTRAINTS ? "fewest constraints" : "largest coefficient");
+    const auto print = [pivot](const Problem& given, QM::Elimination_order order)
+    {
+      const Solution s = solve(
+        given, params::rounding_method(QM::Rounding_method::GREEDY).elimination_order(order).elimination_pivot(pivot));
+      std::printf(" | %12.0f %10.3f", s.matrix_entries, s.seconds);
+      std::fflush(stdout);
+    };
+    print(problem, QM::Elimination_order::FEWEST_COEFFICIENTS);
+    print(problem, QM::Elimination_order::AS_GIVEN);
+    print(other_order, QM::Elimination_order::AS_GIVEN);
+    std::printf("\n");
+  }
 }
 
 void print_elimination_orders()
@@ -325,10 +340,10 @@ void print_greedy_ratios()
       for(int m = 0; m < 3; ++m)
       {
         const Solution s =
-          m == 1 ? QM::solve_mixed_integer(problem, params::rounding_method(QM::Rounding_method::NAIVE))
-                 : QM::solve_mixed_integer(
-                     problem,
-                     params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(m == 0 ? 1000 : 0));
+          m == 1
+            ? solve(problem, params::rounding_method(QM::Rounding_method::NAIVE))
+            : solve(problem,
+                    params::rounding_method(QM::Rounding_method::GREEDY).maximum_dense_integers(m == 0 ? 1000 : 0));
         seconds[m] = (std::min)(seconds[m], s.seconds);
         integers = s.free_integers;
       }

@@ -287,6 +287,33 @@ private:
   }
 };
 
+// What programs let their users choose of greedy rounding.
+struct Greedy_rounding
+{
+  double tolerance;
+  int gauss_seidel, conjugate_gradient; // steps
+  bool has_cholesky;
+};
+
+inline void add_greedy_rounding(po::options_description& options)
+{
+  options.add_options()("rounding-tolerance", po::value<double>()->default_value(3e-4),
+                        "accuracy of the levels of greedy rounding, in units of the variables")(
+    "gauss-seidel", po::value<long long>()->default_value(20000), "local steps per greedy rounding, 0 for none")(
+    "conjugate-gradient", po::value<long long>()->default_value(10),
+    "steps of the conjugate gradient per greedy rounding, 0 for none")("no-cholesky", po::bool_switch(),
+                                                                       "no new factorization between greedy roundings");
+}
+
+inline Greedy_rounding greedy_rounding(const Arguments& args)
+{
+  const long long most_steps = 1000000000;
+  return Greedy_rounding{ args.number("rounding-tolerance", 0., 1.),
+                          static_cast<int>(args.whole_number("gauss-seidel", 0, most_steps)),
+                          static_cast<int>(args.whole_number("conjugate-gradient", 0, most_steps)),
+                          !args.value<bool>("no-cholesky") };
+}
+
 // Reads a triangle mesh and says on the standard error stream, in one line, what was repaired. The result relates the
 // elements of the mesh to those of the file.
 template <typename Mesh>

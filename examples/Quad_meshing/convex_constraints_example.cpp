@@ -8,6 +8,7 @@
 
 // Integers in a disk, under a convex curve: the nearest such point to one outside, by three methods.
 
+#include <CGAL/Quad_meshing/Mixed_integer/find_feasible_point.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
 #include <Eigen/SparseCore>
@@ -41,6 +42,15 @@ int main()
                                   gradient[1] = 1.;
                                   return e + x[1] - 6.;
                                 });
+
+  // First: is there a point at all, with integers taken for reals?
+  const QM::Feasible_point point = QM::find_feasible_point(problem);
+  if(!point.is_valid())
+  {
+    std::cerr << point.message << " It is exceeded by " << point.violation << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::cout << "feasible: " << point.x.transpose() << std::endl;
 
   for(QM::Rounding_method method : { QM::Rounding_method::OUTER_APPROXIMATION, QM::Rounding_method::CUTTING_PLANES,
                                      QM::Rounding_method::BRANCH_AND_BOUND })

@@ -166,7 +166,7 @@ int main(int argc, char* argv[])
 
       command_line::write_mesh(args.positional(1), qm);
       const std::size_t inverted = result.smoothing.quality_after.number_of_inverted_quads;
-      const bool is_optimized = result.status == QM::Structure_optimization_status::OPTIMIZED;
+      const bool is_optimized = result.status == QM::Quad_mesh_status::SUCCESS;
       const bool valid = is_optimized && inverted == 0;
       if(is_optimized)
         std::cout << result.message << std::endl;

@@ -111,11 +111,6 @@ int main(int argc, char* argv[])
         "on or off: make the boundary a chain of quad edges")(
         "field", po::value<std::string>()->default_value("polished"),
         "representation, greedy, greedy-and-search or polished: how the singularities of the cross field are found")(
-        "rounding-tolerance", po::value<double>()->default_value(3e-4), "accuracy of the levels of greedy fields")(
-        "gauss-seidel", po::value<double>()->default_value(20000), "local steps per rounding of greedy fields")(
-        "conjugate-gradient", po::value<double>()->default_value(10),
-        "steps of the conjugate gradient per rounding of greedy fields")(
-        "no-cholesky", po::bool_switch(), "no new factorization between the roundings of greedy fields")(
         "curvature-alignment", po::value<double>()->default_value(1),
         "0 to 1: how much quads follow the directions in which the surface bends least")(
         "work-on-input", "make field and map on the input's own triangles instead of a working mesh")(
@@ -132,6 +127,7 @@ int main(int argc, char* argv[])
         "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
         "strict", "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
+      command_line::add_greedy_rounding(options);
       command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
                                    options);
       if(!args.parse(argc, argv))
@@ -152,9 +148,7 @@ int main(int argc, char* argv[])
                                                 QM::Cross_field_method::POLISHED };
       const QM::Cross_field_method field =
         fields[args.choice("field", { "representation", "greedy", "greedy-and-search", "polished" })];
-      const double rounding_tolerance = args.number("rounding-tolerance", 0, 1);
-      const int gauss_seidel = static_cast<int>(args.number("gauss-seidel", 0, 1e9));
-      const int conjugate_gradient = static_cast<int>(args.number("conjugate-gradient", 0, 1e9));
+      const command_line::Greedy_rounding greedy = command_line::greedy_rounding(args);
 
       QM::Mesh_reading_result reading;
       const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0), reading);
@@ -175,10 +169,10 @@ int main(int argc, char* argv[])
       q.options.curvature_alignment = args.number("curvature-alignment", 0, 1);
       q.options.cross_field_method = field;
       q.options.work_on_input = args.has("work-on-input");
-      q.options.rounding_tolerance = rounding_tolerance;
-      q.options.gauss_seidel_iterations = gauss_seidel;
-      q.options.conjugate_gradient_iterations = conjugate_gradient;
-      q.options.allow_refactorization = !args.value<bool>("no-cholesky");
+      q.options.rounding_tolerance = greedy.tolerance;
+      q.options.gauss_seidel_iterations = greedy.gauss_seidel;
+      q.options.conjugate_gradient_iterations = greedy.conjugate_gradient;
+      q.options.allow_refactorization = greedy.has_cholesky;
       q.options.rounding_method = rounding;
       q.options.optimize_structure = args.has("optimize-structure");
       q.options.number_of_threads = args.number_of_threads();

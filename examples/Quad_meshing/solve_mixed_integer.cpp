@@ -214,18 +214,12 @@ int solve(int argc, char* argv[])
     "upper", po::value<Text>(), "upper bounds, a number or inf per variable")(
     "method", po::value<Text>()->default_value("greedy"), method_list.c_str())(
     "time-limit", po::value<double>()->default_value(1e9), "seconds after which the best solution so far is taken")(
-    "node-limit", po::value<double>()->default_value(3e7), "nodes or subproblems that the search may visit")(
+    "node-limit", po::value<double>()->default_value(1e8), "nodes or subproblems that the search may visit")(
     "constraint-tolerance", po::value<double>()->default_value(1e-6),
-    "what counts as zero when constraints depend on each other")("rounding-tolerance",
-                                                                 po::value<double>()->default_value(3e-4),
-                                                                 "accuracy of the iterative levels of greedy rounding")(
-    "gauss-seidel", po::value<double>()->default_value(20000), "local steps per rounding, 0 for none")(
-    "conjugate-gradient", po::value<double>()->default_value(10),
-    "steps of the conjugate gradient per rounding, 0 for none")("no-cholesky", po::bool_switch(),
-                                                                "no new factorization between the roundings")(
-    "dense-integers", po::value<double>()->default_value(1000),
+    "what counts as zero when constraints depend on each other")(
+    "dense-integers", po::value<long long>()->default_value(1000),
     "up to so many integers greedy rounding works with a dense complement")(
-    "bound-rounds", po::value<double>()->default_value(0), "rounds that raise the lower bound of lattice rounding")(
+    "bound-rounds", po::value<long long>()->default_value(0), "rounds that raise the lower bound of lattice rounding")(
     "gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")(
     "selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")(
     "branching", po::value<Text>()->default_value("pseudo-costs"),
@@ -233,6 +227,7 @@ int solve(int argc, char* argv[])
     "minimum-pseudo-costs or maximum-pseudo-costs")(
     "out", po::value<Text>(), "file for the solution, one value per line")("json", po::value<Text>(),
                                                                            "file for the figures");
+  command_line::add_greedy_rounding(options);
   command_line::Arguments args("solve_mixed_integer",
                                "minimizes 1/2 x'Ax - x'b over real and integer variables with linear constraints", {},
                                options);
@@ -246,14 +241,11 @@ int solve(int argc, char* argv[])
     args.choice("branching", { "minimum-infeasibility", "maximum-infeasibility", "pseudo-costs",
                                "maximum-then-minimum-infeasibility", "minimum-pseudo-costs", "maximum-pseudo-costs" }));
   const double time_limit = args.number("time-limit", 0., 1e9), node_limit = args.number("node-limit", 0., 1e18);
-  const int bound_rounds = static_cast<int>(args.number("bound-rounds", 0., 1e6));
+  const int bound_rounds = static_cast<int>(args.whole_number("bound-rounds", 0, 1000000));
   const double gap = args.number("gap", 0., 1.);
   const double constraint_tolerance = args.number("constraint-tolerance", 0., 1.);
-  const double rounding_tolerance = args.number("rounding-tolerance", 0., 1.);
-  const int gauss_seidel = static_cast<int>(args.number("gauss-seidel", 0., 1e9));
-  const int conjugate_gradient = static_cast<int>(args.number("conjugate-gradient", 0., 1e9));
-  const int dense_integers = static_cast<int>(args.number("dense-integers", 0., 1e5));
-  const bool has_cholesky = !args.value<bool>("no-cholesky");
+  const command_line::Greedy_rounding greedy = command_line::greedy_rounding(args);
+  const int dense_integers = static_cast<int>(args.whole_number("dense-integers", 0, 100000));
   for(const char* output : { "out", "json" })
     if(args.has(output))
       command_line::check_output(args.value<Text>(output));
@@ -269,10 +261,10 @@ int solve(int argc, char* argv[])
                                        .subproblem_selection(selection)
                                        .branching_rule(branching)
                                        .constraint_tolerance(constraint_tolerance)
-                                       .rounding_tolerance(rounding_tolerance)
-                                       .gauss_seidel_iterations(gauss_seidel)
-                                       .conjugate_gradient_iterations(conjugate_gradient)
-                                       .allow_refactorization(has_cholesky)
+                                       .rounding_tolerance(greedy.tolerance)
+                                       .gauss_seidel_iterations(greedy.gauss_seidel)
+                                       .conjugate_gradient_iterations(greedy.conjugate_gradient)
+                                       .allow_refactorization(greedy.has_cholesky)
                                        .maximum_dense_integers(dense_integers)
                                        .visitor(std::ref(progress)));
 
@@ -305,6 +297,12 @@ int solve(int argc, char* argv[])
     json.set("redundant_constraints", static_cast<int>(solution.redundant_constraints.size()));
     json.set("conflicting_constraints", static_cast<int>(solution.conflicting_constraints.size()));
     json.set("factorizations", solution.factorizations);
+    json.set("dense_roundings", solution.dense_roundings);
+    json.set("gauss_seidel_roundings", solution.gauss_seidel_roundings);
+    json.set("conjugate_gradient_roundings", solution.conjugate_gradient_roundings);
+    json.set("factorization_roundings", solution.factorization_roundings);
+    json.set("nodes", solution.nodes);
+    json.set("cuts", solution.cuts);
     json.set("seconds", solution.seconds);
     command_line::write_json(args.value<Text>("json"), json);
   }

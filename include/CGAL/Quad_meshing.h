@@ -50,10 +50,12 @@
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_matrix_view.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Feasible_point.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Integer_energy.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
+#include <CGAL/Quad_meshing/Mixed_integer/find_feasible_point.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
@@ -74,6 +76,7 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_status.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>

@@ -195,6 +195,30 @@ Mesh_figures figures(const Mesh& mesh)
   return r;
 }
 
+// Whether two surface meshes have the same points and faces, in the same order.
+template <typename SurfaceMesh>
+bool are_equal(const SurfaceMesh& a, const SurfaceMesh& b)
+{
+  // The vertices of a face, from the one with the smallest number on.
+  const auto corners = [](const SurfaceMesh& mesh, typename SurfaceMesh::Face_index f)
+  {
+    std::vector<typename SurfaceMesh::Vertex_index> result;
+    for(typename SurfaceMesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result.push_back(v);
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+  };
+  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for(typename SurfaceMesh::Vertex_index v : a.vertices())
+    if(a.point(v) != b.point(v))
+      return false;
+  for(typename SurfaceMesh::Face_index f : a.faces())
+    if(corners(a, f) != corners(b, f))
+      return false;
+  return true;
+}
+
 } // namespace quad_mesh_checks
 
 #endif // CGAL_QUAD_MESHING_TEST_QUAD_MESH_CHECKS_H

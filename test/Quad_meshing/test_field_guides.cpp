@@ -14,20 +14,28 @@
 
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
+#include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
+#include <CGAL/Quad_meshing/Fields/internal/Representation_field.h>
 #include <CGAL/Quad_meshing/Fields/salient_directions.h>
 #include <CGAL/Quad_meshing/Fields/sizing.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Random.h>
 
+#include <Eigen/LU>
+
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 using namespace test_meshes;
 namespace QM = CGAL::Quad_meshing;
@@ -79,9 +87,14 @@ void test_salient_directions()
       assert(QM::salient_directions(tm, 0.3, direction).number_of_faces == 0);
     }
   }
+  for(bool is_inside_out : { false, true })
   {
-    // On a thin torus the tube bends much more than the ring does: directions along the ring.
-    Mesh tm = make_mesh(torus(120, 24, 1, 0.15));
+    // On a thin torus the tube bends much more than the ring does: directions along the ring, seen from either side.
+    Soup ring = torus(120, 24, 1, 0.15);
+    if(is_inside_out)
+      for(auto& t : ring.triangles)
+        std::swap(t[1], t[2]);
+    Mesh tm = make_mesh(ring);
     auto direction = tm.add_property_map<Face, Direction>("f:d").first;
     const int n = QM::salient_directions(tm, 0.1, direction).number_of_faces;
     assert(n > 0.5 * tm.number_of_faces());
@@ -372,12 +385,61 @@ void test_soft_directions()
   }
 }
 
+// The representation field that a search starts from is the least one of its quadratic energy, soft directions with
+// their weights: exactly where every face is a cluster, and nearly after the smoothing where clusters are larger.
+void test_soft_start()
+{
+  namespace I = CGAL::Quad_meshing::internal;
+  typedef std::complex<double> Complex;
+  const Mesh tm = make_mesh(perturbed(icosphere(2), 0.02, 1));
+  const I::Indexed_triangle_mesh m = I::make_indexed_triangle_mesh(tm, params::default_values());
+  const int n = m.number_of_faces();
+  I::Field_problem problem(m);
+  CGAL::Random random(4);
+  for(int f = 0; f < n; ++f)
+  {
+    problem.soft_angle.push_back(random.get_double(-0.8, 0.8));
+    problem.soft_weight.push_back(f % 3 == 0 ? 0.2 : 0.5);
+  }
+  problem.find_components();
+  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(n, n);
+  Eigen::VectorXcd rhs(n);
+  for(int f = 0; f < n; ++f)
+  {
+    matrix(f, f) = problem.soft_weight[f];
+    rhs[f] = problem.soft_weight[f] * std::polar(1., 4 * problem.soft_angle[f]);
+  }
+  for(int e = 0; e < m.number_of_edges(); ++e)
+  {
+    // |turn z_f - z_g|^2
+    const int f = problem.first_face(e), g = problem.second_face(e);
+    const Complex turn = std::polar(1., 4 * problem.frames.kappa(e));
+    matrix(f, f) += 1.;
+    matrix(g, g) += 1.;
+    matrix(f, g) -= std::conj(turn);
+    matrix(g, f) -= turn;
+  }
+  const Eigen::VectorXcd z = matrix.partialPivLu().solve(rhs);
+  stage_checks::Silent_progress silent;
+  for(int clusters : { n, n / 3 })
+  {
+    std::vector<double> angle;
+    assert(I::Representation_field(problem, clusters, false, silent.progress)(angle));
+    double largest = 0;
+    for(int f = 0; f < n; ++f)
+      largest = (std::max)(largest, std::abs(std::polar(std::abs(z[f]), 4 * angle[f]) - z[f]));
+    std::cout << "  " << clusters << " clusters: " << largest << std::endl;
+    assert(largest < (clusters == n ? 1e-6 : 1e-2));
+  }
+}
+
 int main(int argc, char** argv)
 {
   return run_cases(argc, argv,
                    { { "salient_directions", test_salient_directions },
                      { "curvature_directions", test_curvature_directions },
                      { "soft_directions", test_soft_directions },
+                     { "soft_start", test_soft_start },
                      { "sizing", test_sizing },
                      { "bad_lengths", test_bad_lengths },
                      { "stops", test_stops } });

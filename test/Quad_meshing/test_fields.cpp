@@ -47,6 +47,25 @@ Result compute(Field& f, Method method = Method::POLISHED)
                                                 params::cross_field_method(method).edge_is_constrained_map(f.feature));
 }
 
+// A field on a mesh as the solvers know it, without conditions yet.
+struct Flat_problem
+{
+  const CGAL::Quad_meshing::internal::Indexed_triangle_mesh mesh;
+  CGAL::Quad_meshing::internal::Field_problem problem;
+
+  explicit Flat_problem(const Mesh& tm)
+    : mesh(CGAL::Quad_meshing::internal::make_indexed_triangle_mesh(tm, params::default_values())), problem(mesh)
+  {
+  }
+
+  // To be called once all conditions are set.
+  void finish()
+  {
+    problem.find_components();
+    problem.sectors = CGAL::Quad_meshing::internal::make_field_sectors(mesh, problem.aligned);
+  }
+};
+
 void mark_sharp_edges(Field& f, double degrees)
 {
   CGAL::Polygon_mesh_processing::detect_sharp_edges(f.tm, degrees, f.feature);
@@ -554,11 +573,10 @@ void test_close_pairs()
     // unless it is too far apart.
     const Soup shape = torus(40, 20);
     const Mesh tm = make_mesh<Mesh>(shape);
-    const I::Indexed_triangle_mesh m =
-      I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
-    I::Field_problem problem(m);
-    problem.find_components();
-    problem.sectors = I::make_field_sectors(m, problem.aligned);
+    Flat_problem flat(tm);
+    const I::Indexed_triangle_mesh& m = flat.mesh;
+    I::Field_problem& problem = flat.problem;
+    flat.finish();
     const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
     I::Any_visitor visitor;
@@ -609,14 +627,13 @@ void test_close_pairs()
     // around.
     const Soup shape = grid(12, 12);
     const Mesh tm = make_mesh<Mesh>(shape);
-    const I::Indexed_triangle_mesh m =
-      I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
-    I::Field_problem problem(m);
+    Flat_problem flat(tm);
+    const I::Indexed_triangle_mesh& m = flat.mesh;
+    I::Field_problem& problem = flat.problem;
     for(int h = 0; h < m.number_of_halfedges(); ++h)
       problem.aligned[m.edge_of[h]] |= m.opposite[h] == -1;
     problem.constrain_faces_to_aligned_edges();
-    problem.find_components();
-    problem.sectors = I::make_field_sectors(m, problem.aligned);
+    flat.finish();
     const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
     assert(I::Representation_field(problem, m.number_of_faces(), true, silent.progress)(field.angle));
@@ -706,11 +723,10 @@ void test_annihilation()
   namespace I = CGAL::Quad_meshing::internal;
   std::cout << "annihilation" << std::endl;
   const Mesh tm = make_mesh<Mesh>(torus(40, 20));
-  const I::Indexed_triangle_mesh m =
-    I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
-  I::Field_problem problem(m);
-  problem.find_components();
-  problem.sectors = I::make_field_sectors(m, problem.aligned);
+  Flat_problem flat(tm);
+  const I::Indexed_triangle_mesh& m = flat.mesh;
+  I::Field_problem& problem = flat.problem;
+  flat.finish();
   stage_checks::Silent_progress silent;
   I::Dual_laplacian laplacian(problem, silent.progress);
   I::Cross_field field;
@@ -786,16 +802,15 @@ void test_sector_potentials()
   for(const Case& c : cases)
   {
     const Mesh tm = make_mesh<Mesh>(perturbed(c.soup, 0.02));
-    const I::Indexed_triangle_mesh m =
-      I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
-    I::Field_problem problem(m);
+    Flat_problem flat(tm);
+    const I::Indexed_triangle_mesh& m = flat.mesh;
+    I::Field_problem& problem = flat.problem;
     for(int e = 0; e < m.number_of_edges(); ++e)
       problem.aligned[e] = c.is_aligned && m.is_border_edge(e);
     problem.constrain_faces_to_aligned_edges();
     for(int f = 0; c.every > 0 && f < m.number_of_faces(); f += c.every)
       problem.constrained[f] = 1;
-    problem.find_components();
-    problem.sectors = I::make_field_sectors(m, problem.aligned);
+    flat.finish();
     const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Sector_potentials potentials(problem, laplacian);
     assert(potentials.is_small() && potentials.compute());
@@ -848,11 +863,10 @@ void test_small_meshes()
   // From where it has ended it goes on, never upwards, and it knows the quads of all sectors.
   namespace I = CGAL::Quad_meshing::internal;
   const Mesh tm = make_mesh<Mesh>(perturbed(icosphere(3), 0.07));
-  const I::Indexed_triangle_mesh m =
-    I::make_indexed_triangle_mesh(tm, tm.points(), get(boost::vertex_index, tm), get(boost::face_index, tm));
-  I::Field_problem problem(m);
-  problem.find_components();
-  problem.sectors = I::make_field_sectors(m, problem.aligned);
+  Flat_problem flat(tm);
+  const I::Indexed_triangle_mesh& m = flat.mesh;
+  I::Field_problem& problem = flat.problem;
+  flat.finish();
   const I::Dual_laplacian laplacian(problem, silent.progress);
   I::Cross_field field;
   field.angle.assign(m.number_of_faces(), 0.);

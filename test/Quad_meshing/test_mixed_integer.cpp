@@ -8,6 +8,7 @@
 
 // Mixed-integer problems against brute force, and methods against each other.
 
+#include "mixed_integer_checks.h"
 #include "mixed_integer_grids.h"
 #include "test_cases.h"
 
@@ -15,7 +16,6 @@
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_bound.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Lattice_enumeration.h>
 #include <CGAL/Quad_meshing/Mixed_integer/read_matrix_market.h>
-#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Random.h>
@@ -33,16 +33,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace QM = CGAL::Quad_meshing;
-namespace params = CGAL::parameters;
-
-typedef QM::Mixed_integer_problem Problem;
-typedef QM::Mixed_integer_solution Solution;
-
-const double infinity = std::numeric_limits<double>::infinity();
-
-bool is_close(double a, double b) { return std::fabs(a - b) <= 1e-6 * (1. + std::fabs(a) + std::fabs(b)); }
 
 double uniform(CGAL::Random& random, double low, double high) { return random.get_double(low, high); }
 

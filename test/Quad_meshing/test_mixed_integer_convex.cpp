@@ -8,6 +8,7 @@
 
 // Convex constraints: the convex methods against a brute force over all integers.
 
+#include "mixed_integer_checks.h"
 #include "test_cases.h"
 
 // The test checks itself by assertions.
@@ -15,7 +16,7 @@
 #undef NDEBUG
 #endif
 
-#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
+#include <CGAL/Quad_meshing/Mixed_integer/find_feasible_point.h>
 
 #include <CGAL/Random.h>
 
@@ -28,22 +29,8 @@
 #include <limits>
 #include <vector>
 
-namespace QM = CGAL::Quad_meshing;
-namespace params = CGAL::parameters;
-
-typedef QM::Mixed_integer_problem Problem;
-typedef QM::Mixed_integer_solution Solution;
-typedef QM::Mixed_integer_status Status;
-typedef QM::Rounding_method Method;
-
 const Method methods[] = { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT, Method::CUTTING_PLANES,
                            Method::OUTER_APPROXIMATION };
-const double infinity = std::numeric_limits<double>::infinity();
-
-bool is_close(double a, double b, double tolerance = 1e-5)
-{
-  return std::fabs(a - b) <= tolerance * (1. + std::fabs(a) + std::fabs(b));
-}
 
 Eigen::SparseMatrix<double> diagonal(const std::vector<double>& d)
 {
@@ -52,11 +39,6 @@ Eigen::SparseMatrix<double> diagonal(const std::vector<double>& d)
     if(d[i] != 0.)
       D.insert(i, i) = d[i];
   return D;
-}
-
-Eigen::VectorXd vector(const std::vector<double>& v)
-{
-  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<int>(v.size()));
 }
 
 double largest_violation(const Problem& problem, const Eigen::VectorXd& x)
@@ -346,6 +328,126 @@ void rules()
     }
 }
 
+// x^2 + y^2 + ... <= r^2 around a center.
+void add_ball(Problem& problem, const std::vector<double>& center, double squared_radius)
+{
+  Problem::Linear_form form;
+  double square = 0.;
+  for(std::size_t i = 0; i < center.size(); ++i)
+  {
+    form.emplace_back(static_cast<int>(i), -2. * center[i]);
+    square += center[i] * center[i];
+  }
+  problem.add_quadratic_constraint(diagonal(std::vector<double>(center.size(), 2.)), form, squared_radius - square);
+}
+
+// The feasibility problem where the smallest excess can be computed by hand: between half-spaces, disks and integers.
+void feasible_points()
+{
+  Problem slab(2);
+  slab.add_inequality_constraint({ { 0, 1. }, { 1, 1. } }, 1.);
+  slab.add_inequality_constraint({ { 0, -1. }, { 1, -1. } }, -3.);
+  const QM::Feasible_point between = QM::find_feasible_point(slab);
+  assert(between.status == Status::INFEASIBLE && !between.message.empty() && !between.is_valid());
+  assert(is_close(between.violation, 1.) && is_close(between.lower_bound, 1.) && is_close(between.x.sum(), 2.));
+
+  slab.add_equality_constraint({ { 0, 1. } }, 7.);
+  slab.set_bounds(1, 2., 9.);
+  const QM::Feasible_point bounded = QM::find_feasible_point(slab); // x = 7, y >= 2: by 8 over the first
+  assert(bounded.status == Status::INFEASIBLE && bounded.x[0] == 7. && is_close(bounded.x[1], 2.));
+  assert(is_close(bounded.violation, 8.) && is_close(bounded.lower_bound, 8.));
+  slab.add_equality_constraint({ { 1, 1. } }, 1.);
+  const QM::Feasible_point none = QM::find_feasible_point(slab);
+  assert(none.status == Status::INFEASIBLE && none.x.size() == 0);
+
+  for(double distance : { 1.9, 4. })
+  {
+    Problem disks(2);
+    add_ball(disks, { 0., 0. }, 1.);
+    add_ball(disks, { distance, 0. }, 1.);
+    const QM::Feasible_point p = QM::find_feasible_point(disks);
+    assert(p.is_valid() == (distance < 2.));
+    if(p.is_valid())
+      assert(largest_violation(disks, p.x) <= 1e-6 && p.lower_bound == 0.);
+    else // in the middle
+      assert(p.status == Status::INFEASIBLE && is_close(p.violation, 3.) && is_close(p.lower_bound, 3.) &&
+             is_close(p.x[0], 2., 1e-3) && p.lower_bound <= p.violation && p.cuts > 0);
+  }
+
+  Problem gap(2);
+  gap.set_integer(0);
+  gap.set_integer(1);
+  add_ball(gap, { 0.5, 0.5 }, 0.3);
+  assert(QM::find_feasible_point(gap).is_valid()); // integers are reals
+  for(Method method : methods)
+  {
+    const QM::Feasible_point p = QM::find_feasible_point(gap, params::rounding_method(method));
+    assert(p.status == Status::INFEASIBLE && is_close(p.violation, 0.2) && is_close(p.lower_bound, 0.2));
+    assert(p.x[0] == std::floor(p.x[0]) && p.x[1] == std::floor(p.x[1]));
+  }
+  add_ball(gap, { 0.6, 0.5 }, 0.7);
+  assert(QM::find_feasible_point(gap, params::rounding_method(Method::BRANCH_AND_BOUND)).status == Status::INFEASIBLE);
+
+  assert(QM::find_feasible_point(gap, params::rounding_method(Method::GREEDY)).status == Status::UNSUPPORTED_PROBLEM);
+  Problem saddle(2);
+  saddle.add_quadratic_constraint(diagonal({ 2., -2. }), {}, -1.);
+  assert(QM::find_feasible_point(saddle).status == Status::NUMERICAL_FAILURE);
+  assert(QM::find_feasible_point(Problem(3)).is_valid()); // no constraint at all
+}
+
+// The smallest excess over all integers of a box.
+void random_feasible_points()
+{
+  CGAL::Random random(31);
+  int feasible = 0;
+  const int problems = 60;
+  for(int p = 0; p < problems; ++p)
+  {
+    const int n = random.get_int(1, 4), size = 4;
+    Problem problem(n);
+    for(int i = 0; i < n; ++i)
+    {
+      problem.set_integer(i);
+      problem.set_bounds(i, 0., size - 1.);
+    }
+    for(int c = random.get_int(2, 5); c > 0; --c)
+    {
+      Problem::Linear_form form;
+      for(int i = 0; i < n; ++i)
+        form.emplace_back(i, random.get_int(-5, 6));
+      problem.add_inequality_constraint(form, random.get_int(-7, 5));
+    }
+    if(p % 3 == 0)
+      add_ball(problem, std::vector<double>(n, random.get_double(0., 3.)), random.get_double(0.2, 4.));
+    double least = infinity;
+    for(int code = 0; code < std::pow(size, n); ++code)
+    {
+      Eigen::VectorXd x(n);
+      for(int i = 0, rest = code; i < n; ++i, rest /= size)
+        x[i] = rest % size;
+      double excess = largest_violation(problem, x);
+      for(const Problem::Linear_constraint& c : problem.inequality_constraints())
+      {
+        double sum = -c.rhs;
+        for(const auto& a : c.form)
+          sum += a.second * x[a.first];
+        excess = (std::max)(excess, sum);
+      }
+      least = (std::min)(least, excess);
+    }
+    const QM::Feasible_point relaxed = QM::find_feasible_point(problem);
+    const QM::Feasible_point point =
+      QM::find_feasible_point(problem, params::rounding_method(methods[p % 2])); // bound, cut
+    feasible += least <= 0.;
+    assert(point.status == (least <= 0. ? Status::FEASIBLE : Status::INFEASIBLE));
+    assert(std::fabs(point.violation - (std::max)(least, 0.)) <= 1e-5 * (1. + point.violation));
+    assert(point.lower_bound <= point.violation && point.violation - point.lower_bound <= 1e-5 * (1. + least));
+    assert(relaxed.lower_bound <= (std::max)(least, 0.) + 1e-9 && (relaxed.is_valid() || least > 0.));
+  }
+  std::cout << "  " << problems << " problems, " << feasible << " of them feasible" << std::endl;
+  assert(feasible > problems / 5 && feasible < problems * 4 / 5);
+}
+
 int main(int argc, char** argv)
 {
   return run_cases(argc, argv,
@@ -357,5 +459,7 @@ int main(int argc, char** argv)
                      { "random_integers", random_integers },
                      { "random_reals", random_reals },
                      { "rules", rules },
+                     { "feasible_points", feasible_points },
+                     { "random_feasible_points", random_feasible_points },
                    });
 }

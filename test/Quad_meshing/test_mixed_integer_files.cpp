@@ -8,10 +8,10 @@
 
 // Problems from MPS files, and the same optima as GLPK and Cbc find, where these are installed.
 
-#include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
-#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
-
+#include "mixed_integer_checks.h"
 #include "test_cases.h"
+
+#include <CGAL/Quad_meshing/Mixed_integer/read_mps.h>
 
 #include <CGAL/Random.h>
 
@@ -26,14 +26,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace QM = CGAL::Quad_meshing;
-namespace params = CGAL::parameters;
-
-typedef QM::Mixed_integer_problem Problem;
-typedef QM::Mixed_integer_solution Solution;
-typedef QM::Mixed_integer_status Status;
-typedef QM::Rounding_method Method;
 
 bool read(const std::string& text, Problem& problem, std::vector<std::string>& names)
 {

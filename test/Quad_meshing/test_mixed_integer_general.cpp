@@ -9,8 +9,7 @@
 // The general methods against brute force with an exact solver, where energies are singular, numbers are large, and
 // problems are infeasible or unbounded.
 
-#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
-
+#include "mixed_integer_checks.h"
 #include "test_cases.h"
 
 #include <CGAL/Exact_rational.h>
@@ -30,20 +29,11 @@
 #include <utility>
 #include <vector>
 
-namespace QM = CGAL::Quad_meshing;
-namespace params = CGAL::parameters;
-
-typedef QM::Mixed_integer_problem Problem;
-typedef QM::Mixed_integer_solution Solution;
-typedef QM::Mixed_integer_status Status;
-typedef QM::Rounding_method Method;
 typedef CGAL::Exact_rational Rational;
 
 const Method convex_methods[] = { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT, Method::OUTER_APPROXIMATION };
 const Method linear_methods[] = { Method::BRANCH_AND_BOUND, Method::BRANCH_AND_CUT, Method::OUTER_APPROXIMATION,
                                   Method::CUTTING_PLANES };
-
-bool is_close(double a, double b) { return std::fabs(a - b) <= 1e-6 * (1. + std::fabs(a) + std::fabs(b)); }
 
 Eigen::SparseMatrix<double> sparse(const std::vector<std::vector<double>>& rows)
 {
@@ -54,11 +44,6 @@ Eigen::SparseMatrix<double> sparse(const std::vector<std::vector<double>>& rows)
       if(rows[i][j] != 0.)
         A.insert(i, j) = rows[i][j];
   return A;
-}
-
-Eigen::VectorXd vector(const std::vector<double>& v)
-{
-  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<int>(v.size()));
 }
 
 // Whether a point meets all conditions exactly: rows with real variables up to the rounding of these.

@@ -8,10 +8,9 @@
 
 // Stops by the visitor, limits of time, and tolerances of the mixed-integer methods.
 
+#include "mixed_integer_checks.h"
 #include "mixed_integer_grids.h"
 #include "test_cases.h"
-
-#include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 
 #include <CGAL/Random.h>
 #include <CGAL/Timer.h>
@@ -24,14 +23,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace QM = CGAL::Quad_meshing;
-namespace params = CGAL::parameters;
-
-typedef QM::Mixed_integer_problem Problem;
-typedef QM::Mixed_integer_solution Solution;
-typedef QM::Mixed_integer_status Status;
-typedef QM::Rounding_method Method;
 
 const Method all_methods[] = { Method::RELAXED,        Method::DIRECT,         Method::NAIVE,
                                Method::GREEDY,         Method::LATTICE,        Method::BRANCH_AND_BOUND,
@@ -280,7 +271,7 @@ void relative_gap_tolerance()
   }
 }
 
-// The order of elimination changes the matrix that is left, and nothing else.
+// The order of elimination, and the choice of the variables that go, change the matrix that is left, and nothing else.
 void elimination_order()
 {
   CGAL::Random random(8);
@@ -300,7 +291,12 @@ void elimination_order()
   const Solution best = QM::solve_mixed_integer(problem, params::rounding_method(Method::RELAXED));
   const Solution given = QM::solve_mixed_integer(
     problem, params::rounding_method(Method::RELAXED).elimination_order(QM::Elimination_order::AS_GIVEN));
-  std::cout << "  entries " << best.matrix_entries << " and " << given.matrix_entries << std::endl;
+  const Solution largest = QM::solve_mixed_integer(
+    problem, params::rounding_method(Method::RELAXED).elimination_pivot(QM::Elimination_pivot::LARGEST_COEFFICIENT));
+  std::cout << "  entries " << best.matrix_entries << ", " << given.matrix_entries << " and " << largest.matrix_entries
+            << std::endl;
+  assert(largest.status == Status::OPTIMAL && (best.x - largest.x).lpNorm<Eigen::Infinity>() < 1e-6);
+  assert(largest.matrix_entries > 0. && largest.matrix_entries != best.matrix_entries);
   assert(best.status == Status::OPTIMAL && given.status == Status::OPTIMAL);
   assert((best.x - given.x).lpNorm<Eigen::Infinity>() < 1e-6);
   assert(best.matrix_entries > 0. && given.matrix_entries > 0. && best.matrix_entries != given.matrix_entries);

@@ -343,19 +343,6 @@ void test_topologies()
   quads_of(test_meshes::make_mesh(test_meshes::cylinder(24, 8, false)), 400, "open cylinder");
 }
 
-bool are_equal(const Mesh& a, const Mesh& b)
-{
-  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
-    return false;
-  for(Mesh::Vertex_index v : a.vertices())
-    if(a.point(v) != b.point(v))
-      return false;
-  for(Mesh::Halfedge_index h : a.halfedges())
-    if(a.target(h) != b.target(h))
-      return false;
-  return true;
-}
-
 // A second run starts anew, also with other options.
 void test_second_run()
 {
@@ -366,12 +353,12 @@ void test_second_run()
   const Mesh quads = q.quads().mesh;
   const Result second = q.run();
   assert(first.is_valid() && second.is_valid() && first.quads == second.quads);
-  assert(are_equal(quads, q.quads().mesh));
+  assert(quad_mesh_checks::are_equal(quads, q.quads().mesh));
   q.options.target_number_of_quads = 600;
   assert(q.run().is_valid() && q.quads().mesh.number_of_faces() > 450);
   QM::Quadrangulation fresh(tm, tm.points());
   fresh.options.target_number_of_quads = 600;
-  assert(fresh.run().is_valid() && are_equal(fresh.quads().mesh, q.quads().mesh));
+  assert(fresh.run().is_valid() && quad_mesh_checks::are_equal(fresh.quads().mesh, q.quads().mesh));
 }
 
 // Numbers of vertices and faces, and which corner of a face comes first, have no influence: not on one bit.
@@ -399,7 +386,7 @@ void test_renumbering()
     }
     const Mesh a = quads_of(test_meshes::make_mesh(soup), 500, "numbered"),
                b = quads_of(test_meshes::make_mesh(other), 500, "renumbered");
-    assert(are_equal(a, b));
+    assert(quad_mesh_checks::are_equal(a, b));
   }
 }
 
@@ -414,7 +401,7 @@ void test_smoothing_iterations()
     assert(QM::quadrangulate(tm, raw, np.smoothing_iterations(0u)).is_valid());
     assert(QM::quadrangulate(tm, smooth, np.smoothing_iterations(20u)).is_valid());
     assert(QM::quadrangulate(tm, default_steps, np).is_valid());
-    assert(!are_equal(raw, smooth) && are_equal(smooth, default_steps));
+    assert(!quad_mesh_checks::are_equal(raw, smooth) && quad_mesh_checks::are_equal(smooth, default_steps));
   }
 }
 
@@ -439,7 +426,7 @@ void test_borders_that_touch()
   CGAL::copy_face_graph(tm, polyhedron);
   Mesh of_polyhedron;
   assert(QM::quadrangulate(polyhedron, of_polyhedron, parameters::target_number_of_quads(600.)).is_valid());
-  assert(are_equal(qm, of_polyhedron));
+  assert(quad_mesh_checks::are_equal(qm, of_polyhedron));
 }
 
 // A graph may join two vertices by two edges; triangles given by their corners say no more which sides belong together.
@@ -499,7 +486,7 @@ void test_components()
   std::cout << "two balls: " << r1.message << std::endl;
   assert(r1.is_valid() && r1.components == 2 && r1.refined_components == 1 &&
          r1.message.find("smaller quads") != std::string::npos);
-  assert(r2.is_valid() && are_equal(one, two));
+  assert(r2.is_valid() && quad_mesh_checks::are_equal(one, two));
   assert(QM::quadrangulate(alone, alone_quads, parameters::target_edge_length(0.2)).is_valid());
   const std::size_t first =
     one.point(*one.vertices().begin()).x() < 8 ? 0 : one.number_of_vertices() - alone_quads.number_of_vertices();

@@ -37,7 +37,7 @@ typedef QM::internal::Corner_energy_model Corner_energy_model;
 typedef QM::internal::Rectangle_energy Rectangle_energy;
 typedef Corner_energy::Point_3 Point_3;
 typedef Corner_energy::Vector_3 Vector_3;
-typedef QM::Quad_mesh_smoothing_status Status;
+typedef QM::Quad_mesh_status Status;
 
 namespace {
 
@@ -257,7 +257,7 @@ void test_stop()
       visitor.report();
       assert(visitor.longest_gap() < visitor_checks::longest_gap && visitor.is_monotone());
       assert(visitor.longest_rest_of_progress() < visitor_checks::longest_gap);
-      assert(visitor.has_stopped() == (r.status == Status::STOPPED) && r.is_valid() == (r.status == Status::SMOOTHED));
+      assert(visitor.has_stopped() == (r.status == Status::STOPPED) && r.is_valid() == (r.status == Status::SUCCESS));
       const bool is_as_it_was = std::equal(qm.points().begin(), qm.points().end(), input.points().begin());
       assert(is_as_it_was == (r.status == Status::STOPPED));
       stopped += r.status == Status::STOPPED;
@@ -292,7 +292,7 @@ void test_iterations()
 
 void test_status_names()
 {
-  assert(status_name(Status::SMOOTHED) == std::string("smoothed"));
+  assert(status_name(Status::SUCCESS) == std::string("success"));
   assert(status_name(Status::NOT_A_QUAD_MESH) == std::string("not_a_quad_mesh"));
   assert(status_name(Status::EMPTY_REFERENCE) == std::string("empty_reference"));
   assert(status_name(Status::STOPPED) == std::string("stopped"));

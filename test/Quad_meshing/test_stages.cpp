@@ -10,6 +10,7 @@
 // default_grid_map_plans() has a mesh that needs it.
 
 #undef NDEBUG
+#include "quad_mesh_checks.h"
 #include "test_cases.h"
 #include "test_meshes.h"
 
@@ -48,30 +49,6 @@ typedef QM::Quadrangulation_result Result;
 
 namespace {
 
-// The vertices of a face, from the one with the smallest number on.
-std::vector<Mesh::Vertex_index> corners(const Mesh& mesh, Mesh::Face_index f)
-{
-  std::vector<Mesh::Vertex_index> result;
-  for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-    result.push_back(v);
-  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
-  return result;
-}
-
-// Whether two meshes have the same points and faces, in the same order.
-bool are_equal(const Mesh& a, const Mesh& b)
-{
-  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
-    return false;
-  for(Mesh::Vertex_index v : a.vertices())
-    if(a.point(v) != b.point(v))
-      return false;
-  for(Mesh::Face_index f : a.faces())
-    if(corners(a, f) != corners(b, f))
-      return false;
-  return true;
-}
-
 // What lies before the field.
 struct Prepared
 {
@@ -97,8 +74,9 @@ void smooth(QM::Quadrangulation_quads& q, const QM::Quadrangulation_surface& s)
                        parameters::edge_is_constrained_map(s.is_feature));
 }
 
-// With all plans.
-Mesh by_stages(const Mesh& tm, double number_of_quads)
+// A stage-by-stage quadrangulation: all components, each with the length of its edges and the number of its quads.
+template <typename MakeQuads>
+Mesh for_each_component(const Mesh& tm, double number_of_quads, const MakeQuads& make_quads)
 {
   Mesh result;
   const QM::Component_copies components = QM::copy_components(tm);
@@ -107,42 +85,47 @@ Mesh by_stages(const Mesh& tm, double number_of_quads)
     QM::Quadrangulation_surface& s = *components.surfaces[i];
     const double length = components.edge_length_in(i, components.edge_length(number_of_quads));
     const Prepared p = prepare(s, length);
-    const QM::Grid_map_search_result found = QM::search_grid_map(
-      s, p.direction, p.weight, { length, components.areas[i] / (length * length), p.releasable_length });
-    assert(found.is_valid() && found.figures.quads == found.quads->mesh.number_of_faces());
-    smooth(*found.quads, s);
-    result += found.quads->mesh;
+    result += make_quads(s, p, length, components.areas[i] / (length * length));
   }
   return result;
+}
+
+// With all plans.
+Mesh by_stages(const Mesh& tm, double number_of_quads)
+{
+  return for_each_component(tm, number_of_quads,
+                            [](QM::Quadrangulation_surface& s, const Prepared& p, double length, double quads)
+                            {
+                              const QM::Grid_map_search_result found =
+                                QM::search_grid_map(s, p.direction, p.weight, { length, quads, p.releasable_length });
+                              assert(found.is_valid() && found.figures.quads == found.quads->mesh.number_of_faces());
+                              smooth(*found.quads, s);
+                              return found.quads->mesh;
+                            });
 }
 
 // With the first plan, function by function.
 Mesh by_functions(const Mesh& tm, double number_of_quads)
 {
-  Mesh result;
-  const QM::Component_copies components = QM::copy_components(tm);
-  for(std::size_t i = 0; i < components.surfaces.size(); ++i)
-  {
-    QM::Quadrangulation_surface& s = *components.surfaces[i];
-    const double length = components.edge_length_in(i, components.edge_length(number_of_quads));
-    const Prepared p = prepare(s, length);
-    const auto np = parameters::target_edge_length(length).edge_is_constrained_map(s.is_feature);
-    assert(QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index,
-                                  parameters::target_edge_length(length)
-                                    .face_direction_map(p.direction)
-                                    .face_direction_weight_map(p.weight)
-                                    .edge_is_constrained_map(s.is_feature))
-             .is_valid());
-    QM::Seamless_map map(s.mesh, s.angle, s.period_jump, s.index, np);
-    const double fitting_length = std::sqrt(map.number_of_quads() / (components.areas[i] / (length * length)));
-    assert(map.round(s.mesh, fitting_length, s.uv).is_valid());
-    QM::Quadrangulation_quads q;
-    assert(QM::extract_quad_mesh(s.mesh, s.uv, q.mesh, parameters::face_location_map(q.location)).is_valid());
-    QM::transfer_feature_edges(s.mesh, s.is_feature, q.mesh, q.location, q.is_feature);
-    smooth(q, s);
-    result += q.mesh;
-  }
-  return result;
+  return for_each_component(
+    tm, number_of_quads,
+    [](QM::Quadrangulation_surface& s, const Prepared& p, double length, double quads)
+    {
+      const auto np = parameters::target_edge_length(length).edge_is_constrained_map(s.is_feature);
+      assert(QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index,
+                                    parameters::target_edge_length(length)
+                                      .face_direction_map(p.direction)
+                                      .face_direction_weight_map(p.weight)
+                                      .edge_is_constrained_map(s.is_feature))
+               .is_valid());
+      QM::Seamless_map map(s.mesh, s.angle, s.period_jump, s.index, np);
+      assert(map.round(s.mesh, std::sqrt(map.number_of_quads() / quads), s.uv).is_valid());
+      QM::Quadrangulation_quads q;
+      assert(QM::extract_quad_mesh(s.mesh, s.uv, q.mesh, parameters::face_location_map(q.location)).is_valid());
+      QM::transfer_feature_edges(s.mesh, s.is_feature, q.mesh, q.location, q.is_feature);
+      smooth(q, s);
+      return q.mesh;
+    });
 }
 
 // Compares the stages with the whole line; returns how many maps that took.
@@ -156,9 +139,9 @@ int compare(const std::string& name, const Mesh& tm, double number_of_quads)
   std::cout << name << ": " << r.message << " " << r.quads << " quads, " << r.parameterization_attempts << " maps"
             << std::endl;
   assert(r.is_valid());
-  assert(are_equal(whole, by_stages(tm, number_of_quads)));
+  assert(quad_mesh_checks::are_equal(whole, by_stages(tm, number_of_quads)));
   if(r.parameterization_attempts == static_cast<int>(r.components))
-    assert(are_equal(whole, by_functions(tm, number_of_quads)));
+    assert(quad_mesh_checks::are_equal(whole, by_functions(tm, number_of_quads)));
   return r.parameterization_attempts;
 }
 
@@ -287,7 +270,7 @@ void test_random_seed()
   Mesh first, again;
   assert(run(cone, { 150, 0, 1 }, "", first).is_valid());
   assert(run(cone, { 150, 0, 1 }, "", again).is_valid());
-  assert(are_equal(first, again));
+  assert(quad_mesh_checks::are_equal(first, again));
 
   QM::Grid_map_situation situation;
   situation.has_attempt = true;

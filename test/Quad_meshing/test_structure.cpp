@@ -435,7 +435,7 @@ void test_smoothing()
   {
     Mesh qm = SM::make_mesh(displaced(SM::sphere(12), amount, 3));
     const QM::Quad_mesh_smoothing_result r = QM::smooth_quad_mesh(qm, sphere);
-    assert(r.status == QM::Quad_mesh_smoothing_status::SMOOTHED && r.folded_quads_after == 0);
+    assert(r.status == QM::Quad_mesh_status::SUCCESS && r.folded_quads_after == 0);
     assert(r.quality_after.minimal_scaled_jacobian > 0.5);
     assert(r.quality_after.mean_angle_deviation < 8 &&
            r.quality_after.mean_angle_deviation < r.quality_before.mean_angle_deviation);
@@ -487,16 +487,16 @@ void test_smoothing()
 
   // answers to bad input, and stopping
   Mesh triangles = SM::triangulated(SM::cube(1)), cube = SM::make_mesh(SM::cube(6)), empty;
-  assert(QM::smooth_quad_mesh(triangles).status == QM::Quad_mesh_smoothing_status::NOT_A_QUAD_MESH);
-  assert(QM::smooth_quad_mesh(cube, empty).status == QM::Quad_mesh_smoothing_status::EMPTY_REFERENCE);
-  assert(QM::smooth_quad_mesh(empty).status == QM::Quad_mesh_smoothing_status::SMOOTHED);
+  assert(QM::smooth_quad_mesh(triangles).status == QM::Quad_mesh_status::NOT_A_QUAD_MESH);
+  assert(QM::smooth_quad_mesh(cube, empty).status == QM::Quad_mesh_status::EMPTY_REFERENCE);
+  assert(QM::smooth_quad_mesh(empty).status == QM::Quad_mesh_status::SUCCESS);
   struct Stop : QM::Default_visitor
   {
     bool go_further() { return false; }
   } stop;
   Mesh shaken = SM::make_mesh(displaced(SM::sphere(6), 0.3, 1)), copy = shaken;
   assert(QM::smooth_quad_mesh(copy, sphere, CGAL::parameters::visitor(std::ref(stop))).status ==
-         QM::Quad_mesh_smoothing_status::STOPPED);
+         QM::Quad_mesh_status::STOPPED);
   for(auto v : copy.vertices())
     assert(copy.point(v) == shaken.point(v));
 }

@@ -24,8 +24,10 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/grid_preserving_operators.h>
+#include <CGAL/Quad_meshing/Structure/internal/Accepted_shape.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_execution.h>
 #include <CGAL/Quad_meshing/Structure/internal/Gp_search.h>
+#include <CGAL/Quad_meshing/Structure/internal/Layout_goals.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_vertex_rules.h>
@@ -33,12 +35,16 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -47,7 +53,7 @@ namespace SM = structure_meshes;
 typedef SM::Mesh Mesh;
 typedef QM::internal::Indexed_quad_mesh Flat_mesh;
 typedef QM::Quad_structure_optimization_result Result;
-typedef QM::Structure_optimization_status Status;
+typedef QM::Quad_mesh_status Status;
 using QM::internal::Layout_curves;
 using QM::internal::Layout_distortion;
 using QM::internal::Layout_quantization;
@@ -338,6 +344,119 @@ void test_distortion()
   assert(changes > 50 && agreeing > 0.75 * changes);
 }
 
+// The least distortion of a grid of n x n quads when the vertex (below, 0) goes to `new_below`, the vertex (above, n)
+// to `new_above` and the side x = n to `new_width`, by a dense system with all displacements, for the best scale.
+double distortion_by_displacements(int n, int below, int above, double new_below, double new_above, double new_width)
+{
+  typedef QM::internal::Layout_weights Weights;
+  auto unknown = [n](int i, int j, int k) { return 2 * ((n + 1) * j + i) + k; };
+  const int size = 2 * (n + 1) * (n + 1);
+  Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(size, size);
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+      for(int corner = 0; corner < 4; ++corner)
+      {
+        // The derivatives of both coordinates along the sides at this corner.
+        const int y = corner / 2, x = corner % 2;
+        auto row = [&](int k, int direction)
+        {
+          Eigen::VectorXd r = Eigen::VectorXd::Zero(size);
+          const int i0 = direction == 0 ? i : i + x, j0 = direction == 0 ? j + y : j;
+          r[unknown(i0, j0, k)] -= 1;
+          r[unknown(i0 + (direction == 0), j0 + (direction == 1), k)] += 1;
+          return r;
+        };
+        const Eigen::VectorXd a = row(0, 0), b = row(0, 1), c = row(1, 0), d = row(1, 1);
+        const double share = 1. / (4 * n * n);
+        auto add = [&](const Eigen::VectorXd& r, double weight) { energy += weight * share * r * r.transpose(); };
+        add(b + c, 1);
+        add(a - d, Weights::stretch);
+        add(a + d, Weights::size);
+        add(b - c, Weights::rotation);
+      }
+  auto least_energy = [&](double scale)
+  {
+    std::vector<double> given(size, std::numeric_limits<double>::infinity());
+    for(int k = 0; k <= n; ++k)
+    {
+      given[unknown(0, k, 0)] = 0;
+      given[unknown(n, k, 0)] = scale * new_width - n;
+      given[unknown(k, 0, 1)] = 0;
+      given[unknown(k, n, 1)] = scale * n - n;
+    }
+    given[unknown(below, 0, 0)] = scale * new_below - below;
+    given[unknown(above, n, 0)] = scale * new_above - above;
+    // The other displacements: E_ff x = -E_fg g.
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
+    std::vector<int> free;
+    for(int i = 0; i < size; ++i)
+      if(std::isfinite(given[i]))
+        x[i] = given[i];
+      else
+        free.push_back(i);
+    const Eigen::VectorXd force = energy * x;
+    Eigen::MatrixXd matrix(free.size(), free.size());
+    Eigen::VectorXd rhs(free.size());
+    for(std::size_t i = 0; i < free.size(); ++i)
+    {
+      rhs[i] = -force[free[i]];
+      for(std::size_t j = 0; j < free.size(); ++j)
+        matrix(i, j) = energy(free[i], free[j]);
+    }
+    const Eigen::VectorXd solution = matrix.ldlt().solve(rhs);
+    for(std::size_t i = 0; i < free.size(); ++i)
+      x[free[i]] = solution[i];
+    return x.dot(energy * x);
+  };
+  // A parabola in the scale.
+  const double e0 = least_energy(0), e1 = least_energy(1), e2 = least_energy(2);
+  const double curvature = (e0 - 2 * e1 + e2) / 2, slope = (e2 - e0) / 2 - 2 * curvature;
+  return e0 - slope * slope / (4 * curvature);
+}
+
+// Two vertices that stay on opposite sides of a grid are shifted against each other, which shears and turns quads: all
+// weights count.
+void test_distortion_of_shifted_vertices()
+{
+  const int n = 6, below = 2, above = 4;
+  const Flat_mesh m = flat(SM::grid(n, n));
+  std::vector<char> is_fixed(m.number_of_vertices(), 0);
+  for(int v = 0; v < m.number_of_vertices(); ++v)
+  {
+    const auto& p = m.points[v];
+    is_fixed[v] = (p.x() == below && p.y() == 0) || (p.x() == above && p.y() == n);
+  }
+  assert(std::count(is_fixed.begin(), is_fixed.end(), 1) == 2);
+  const Motorcycle_complex complex(m, is_fixed);
+  const Layout_quantization quantization(m, complex, is_fixed, false);
+  const Layout_distortion distortion(m, complex, quantization.rules(), is_fixed, nobody);
+  // Lines from both vertices cut the grid into three strips. The one in the middle becomes twice as wide.
+  assert(complex.patches.size() == 3);
+  std::vector<int> length = quantization.length;
+  int arcs = 0;
+  for(std::size_t a = 0; a < complex.arcs.size(); ++a)
+  {
+    double from = n, to = 0, height = 0;
+    for(int h : complex.arcs[a].halfedges)
+    {
+      const auto &p = m.points[m.source(h)], &q = m.points[m.source(m.next(h))];
+      from = (std::min)({ from, p.x(), q.x() });
+      to = (std::max)({ to, p.x(), q.x() });
+      height += std::abs(p.y() - q.y());
+    }
+    if(height == 0 && from >= below && to <= above)
+    {
+      ++arcs;
+      length[a] *= 2;
+    }
+  }
+  assert(arcs == 2);
+  const double width = above - below,
+               expected = distortion_by_displacements(n, below, above, below, above + width, n + width);
+  std::cout << "  " << distortion(length) << ", by displacements " << expected << std::endl;
+  assert(std::abs(distortion(length) - expected) < 1e-6 * expected);
+}
+
 // The prices are the gradient of the distortion, but for a factor, along all changes that keep opposite sides equal.
 // The distortion does not depend on the scale, so small steps are taken from large multiples of the lengths.
 void test_distortion_derivatives()
@@ -401,7 +520,7 @@ void test_twisted_cubes(QM::Structure_method method)
     ++number;
     const Mesh reference = SM::triangulated(SM::sphere(20));
     const Result r = QM::optimize_quad_structure(qm, reference, options(method));
-    assert(r.status == Status::OPTIMIZED && r.structure_before.number_of_patches == before.number_of_patches);
+    assert(r.status == Status::SUCCESS && r.structure_before.number_of_patches == before.number_of_patches);
     const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
     assert(after.number_of_patches == 6 && after.number_of_helices == 0 && same_topology(after, before));
     assert(QM::quad_mesh_quality(qm).minimal_scaled_jacobian > 0);
@@ -434,7 +553,7 @@ void test_cubes_with_helices(QM::Structure_method method)
     const QM::Quad_mesh_quality quality = QM::quad_mesh_quality(qm);
     const Result r = QM::optimize_quad_structure(qm, SM::triangulated(SM::sphere(20)), options(method));
     const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
-    assert(r.status == Status::OPTIMIZED && same_topology(after, before));
+    assert(r.status == Status::SUCCESS && same_topology(after, before));
     assert(after.number_of_patches == 6 && after.number_of_helices == 0 && after.number_of_nodes == 8);
     check_shape(quality, QM::quad_mesh_quality(qm));
   }
@@ -457,7 +576,7 @@ void test_twisted_meshes()
       const Mesh input = qm;
       const Result r = QM::optimize_quad_structure(qm, reference, options(method));
       const QM::Quad_mesh_structure after = QM::quad_mesh_structure(qm);
-      assert(r.status == Status::OPTIMIZED && same_topology(after, before));
+      assert(r.status == Status::SUCCESS && same_topology(after, before));
       assert(after.number_of_patches <= before.number_of_patches && after.number_of_quads <= before.number_of_quads);
       if(method == QM::Structure_method::LAYOUT)
         assert(after.number_of_patches < 0.8 * before.number_of_patches &&
@@ -531,7 +650,7 @@ void test_features()
   const Result r = QM::optimize_quad_structure(
     qm, SM::triangulated(SM::cube(4)),
     options().target_number_of_quads(400).edge_is_constrained_map(feature).vertex_is_constrained_map(is_fixed));
-  assert(r.status == Status::OPTIMIZED && qm.number_of_faces() <= 400 && qm.number_of_faces() > 200);
+  assert(r.status == Status::SUCCESS && qm.number_of_faces() <= 400 && qm.number_of_faces() > 200);
   std::size_t corners = 0;
   for(auto v : qm.vertices())
     corners += std::abs(qm.point(v).x()) == 1 && std::abs(qm.point(v).y()) == 1 && std::abs(qm.point(v).z()) == 1;
@@ -611,7 +730,7 @@ void test_other_graph_and_bad_input()
 
   // what has no irregular vertices: the helix of a cylinder goes over its border
   Mesh helix = SM::make_mesh(SM::rolled(12, 8, 1, false));
-  assert(QM::optimize_quad_structure(helix).status == Status::OPTIMIZED && CGAL::is_valid_polygon_mesh(helix));
+  assert(QM::optimize_quad_structure(helix).status == Status::SUCCESS && CGAL::is_valid_polygon_mesh(helix));
   Mesh rectangle = SM::make_mesh(SM::grid(8, 8));
   QM::optimize_quad_structure(rectangle);
   assert(QM::quad_mesh_structure(rectangle).number_of_patches == 1 && rectangle.number_of_faces() == 64);
@@ -674,6 +793,64 @@ void test_time_limit()
     }
 }
 
+// Which shapes are accepted, by what the input is like.
+void test_accepted_shapes()
+{
+  QM::Quad_mesh_smoothing_result input;
+  input.folded_quads_before = 2;
+  input.quality_before.number_of_inverted_quads = 1;
+  input.quality_before.minimal_scaled_jacobian = 0.6;
+  const auto result = [](double jacobian, std::size_t folded, std::size_t inverted)
+  {
+    QM::Quad_mesh_smoothing_result r;
+    r.folded_quads_after = folded;
+    r.quality_after.number_of_inverted_quads = inverted;
+    r.quality_after.minimal_scaled_jacobian = jacobian;
+    return r;
+  };
+  const QM::internal::Accepted_shape shape(input, false), coarse(input, true), any;
+  assert(shape.accepts(result(0.31, 2, 1)) && !shape.accepts(result(0.29, 2, 1))); // half of 0.6
+  assert(!shape.accepts(result(0.6, 3, 1)) && !shape.accepts(result(0.6, 2, 2)));
+  assert(coarse.accepts(result(0.29, 2, 1)) && !coarse.accepts(result(0.6, 3, 1)));
+  assert(any.accepts(result(-1, 9, 9)) && any.is_good(result(-1, 9, 9)));
+  assert(shape.is_good(result(0.49, 0, 0)) && !shape.is_good(result(0.47, 0, 0))); // 0.8 of 0.6
+  QM::Quad_mesh_smoothing_result stopped = result(0.6, 0, 0);
+  stopped.status = Status::STOPPED;
+  assert(!shape.accepts(stopped) && !any.accepts(stopped));
+  input.quality_before.minimal_scaled_jacobian = 0.9;
+  assert(QM::internal::Accepted_shape(input, false).is_good(result(0.51, 0, 0))); // enough for anyone
+}
+
+// The prices of layouts: what reaches a goal costs half, what misses it costs more the farther it is, and quads too
+// many cost more than anything that they could be a price for.
+void test_goals()
+{
+  typedef QM::internal::Layout_weights Weights;
+  QM::Quad_mesh_structure structure;
+  structure.number_of_helices = 50;
+  structure.number_of_patches = 300;
+  structure.number_of_quads = 1000;
+  QM::Quad_mesh_quality quality;
+  quality.mean_angle_deviation = 10;
+  QM::internal::Layout_goals goals(structure, quality, 1000);
+  const double patches = Weights::patches * 300, fewest = 1000 * (1 - Weights::loss);
+  assert(std::abs(goals.price_of_structure(10, patches, fewest) - 1.5) < 1e-12);
+  const double enough = fewest + 1; // whatever rounding does
+  assert(goals.are_reached(10, patches, enough, 0) && !goals.are_reached(10.1, patches, enough, 0));
+  assert(!goals.are_reached(10, patches + 1, enough, 0) && !goals.are_reached(10, patches, fewest - 1, 0));
+  assert(!goals.are_reached(10, patches, enough, 100.1 * (Weights::growth * Weights::growth - 1)));
+  assert(std::abs(goals.price_of_structure(20, 0, 1000) - (1 + Weights::helices_and_patches_above_goal)) < 1e-12);
+  assert(goals.price_of_quads(1000) == 0);
+  assert(std::abs(goals.price_of_quads(1100) - Weights::surplus / 10) < 1e-12);
+  const double half_lost = goals.price_of_quads(500);
+  assert(half_lost > goals.price_of_quads(fewest));
+  goals.neglect_loss();
+  assert(goals.price_of_quads(500) < half_lost && std::abs(goals.price_of_quads(1100) - Weights::surplus / 10) < 1e-12);
+  assert(goals.price_of_growth(-3) == 0 && goals.price_of_growth(50) > goals.price_of_growth(20));
+  // A target far below the input is no goal.
+  assert(QM::internal::Layout_goals(structure, quality, 100).price_of_quads(900) == 0);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -683,6 +860,9 @@ int main(int argc, char** argv)
     { { "layouts", test_layouts },
       { "distortion", test_distortion },
       { "distortion_derivatives", test_distortion_derivatives },
+      { "distortion_of_shifted_vertices", test_distortion_of_shifted_vertices },
+      { "accepted_shapes", test_accepted_shapes },
+      { "goals", test_goals },
       { "twisted_cubes_by_layout", [] { test_twisted_cubes(QM::Structure_method::LAYOUT); } },
       { "twisted_cubes_by_helices", [] { test_twisted_cubes(QM::Structure_method::HELICES); } },
       { "cubes_with_helices_by_layout", [] { test_cubes_with_helices(QM::Structure_method::LAYOUT); } },

@@ -298,6 +298,58 @@ void test_good_mesh_stays()
   assert(w.result.collapsed_edges == 0 && w.result.split_edges == 0);
 }
 
+// A hole that is small beside a quad stays round: its border may not turn by more than 25 degrees at a vertex, however
+// near to it a coarser one would be.
+void test_small_hole()
+{
+  const double radius = 0.2, largest_turn = 25.001 * CGAL_PI / 180;
+  const Mesh m = TM::make_mesh(TM::mapped(TM::cylinder(72, 40, false, 1, 1),
+                                          [&](const Point_3& p)
+                                          {
+                                            const double r = radius + 4 * p.z();
+                                            return Point_3(r * p.x(), r * p.y(), 0);
+                                          }));
+  const Work w(m, 1);
+  std::size_t vertices = 0;
+  for(Mesh::Halfedge_index h : w.mesh.halfedges())
+  {
+    const Point_3& p = w.mesh.point(w.mesh.target(h));
+    if(!w.mesh.is_border(h) || (p - CGAL::ORIGIN).squared_length() > 4 * radius * radius)
+      continue;
+    ++vertices;
+    const Kernel::Vector_3 in = p - w.mesh.point(w.mesh.source(h)),
+                           out = w.mesh.point(w.mesh.target(w.mesh.next(h))) - p;
+    assert(std::acos(in * out / std::sqrt(in.squared_length() * out.squared_length())) < largest_turn);
+  }
+  std::cout << "    " << vertices << " vertices around the hole" << std::endl;
+  assert(vertices >= 15 && vertices < 72);
+}
+
+// Flat surfaces are cut along the shorter diagonals: few edges are not locally Delaunay in the end.
+void test_flat_surface()
+{
+  const Mesh m = TM::make_mesh(
+    TM::mapped(TM::grid(40, 40, 4, 4), [](const Point_3& p) { return Point_3(p.x() + 1.5 * p.y(), p.y(), 0); }));
+  const Work w(m, 0.3);
+  std::size_t inner = 0, bad = 0;
+  for(Mesh::Edge_index e : w.mesh.edges())
+  {
+    if(w.mesh.is_border(e))
+      continue;
+    double angles = 0;
+    for(Mesh::Halfedge_index h : { w.mesh.halfedge(e), w.mesh.opposite(w.mesh.halfedge(e)) })
+    {
+      const Point_3& apex = w.mesh.point(w.mesh.target(w.mesh.next(h)));
+      const Kernel::Vector_3 a = w.mesh.point(w.mesh.source(h)) - apex, b = w.mesh.point(w.mesh.target(h)) - apex;
+      angles += std::acos(a * b / std::sqrt(a.squared_length() * b.squared_length()));
+    }
+    ++inner;
+    bad += angles > CGAL_PI + 1e-6;
+  }
+  std::cout << "    " << bad << " of " << inner << " edges are not locally Delaunay" << std::endl;
+  assert(w.result.flipped_edges > 0 && bad < inner / 50);
+}
+
 void test_bad_input_and_stop()
 {
   Mesh quad;
@@ -333,5 +385,7 @@ int main(int argc, char** argv)
                      { "nested_shells", test_nested_shells },
                      { "determinism", test_determinism },
                      { "good_mesh_stays", test_good_mesh_stays },
+                     { "small_hole", test_small_hole },
+                     { "flat_surface", test_flat_surface },
                      { "bad_input_and_stop", test_bad_input_and_stop } });
 }

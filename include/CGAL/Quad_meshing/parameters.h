@@ -51,6 +51,7 @@
 //                                                 where there are inequalities
 //   elimination_order               Elimination_order  which equality constraint is eliminated next;
 //                                                 FEWEST_COEFFICIENTS
+//   elimination_pivot               Elimination_pivot  which of its variables goes with it; FEWEST_CONSTRAINTS
 //   constraint_tolerance            double        relative size of what counts as zero when constraints depend on each
 //                                                 other; 1e-6
 //   rounding_tolerance              double        accuracy of the iterative levels of greedy rounding, in units of the
@@ -63,7 +64,7 @@
 //                                                 deviations sum up to less than one half; true
 //   maximum_dense_integers          int           up to so many integers a dense complement over them is used; 1000
 //   number_of_bound_rounds          int           rounds of the relaxation that raises a lower bound; 0
-//   maximum_number_of_nodes         double        nodes of a search after which the best solution so far is taken; 3e7
+//   maximum_number_of_nodes         double        nodes of a search after which the best solution so far is taken; 1e8
 //   relative_gap_tolerance          double        relative gap of energy and bound at which a search ends; 1e-9
 //   subproblem_selection            Subproblem_selection  order of the subproblems of branch-and-bound; BEST_BOUND
 //   branching_rule                  Branching_rule  variable that branch-and-bound splits; PSEUDO_COSTS
@@ -99,6 +100,7 @@
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
   CGAL_add_named_parameter(elimination_order_t, elimination_order, elimination_order)               \
+  CGAL_add_named_parameter(elimination_pivot_t, elimination_pivot, elimination_pivot)               \
   CGAL_add_named_parameter(constraint_tolerance_t, constraint_tolerance, constraint_tolerance)      \
   CGAL_add_named_parameter(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)            \
   CGAL_add_named_parameter(gauss_seidel_iterations_t, gauss_seidel_iterations, gauss_seidel_iterations)\

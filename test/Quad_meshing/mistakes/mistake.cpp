@@ -9,6 +9,8 @@
 // Plain mistakes of a caller, one for each value of MISTAKE. None compiles, and each ends in one sentence that says
 // why; without a mistake, the file compiles.
 
+#include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
+#include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
 #include <functional>
@@ -35,6 +37,11 @@ void quadrangulate(
   CGAL::Quad_meshing::quadrangulate(tm, qm, CGAL::parameters::face_direction_map(vector_map));
 #elif MISTAKE == 5 // a visitor without most of its functions
   CGAL::Quad_meshing::quadrangulate(tm, qm, CGAL::parameters::visitor(std::ref(visitor)));
+#elif MISTAKE == 6 // a parameter that another stage takes
+  CGAL::Quad_meshing::optimize_quad_structure(qm, CGAL::parameters::smooth_globally(true));
+#elif MISTAKE == 7 // a parameter of the quad mesh for its reference
+  CGAL::Quad_meshing::smooth_quad_mesh(qm, tm, CGAL::parameters::smooth_globally(true),
+                                       CGAL::parameters::smoothing_iterations(3u));
 #else
   static_cast<void>(vertex_map), static_cast<void>(vector_map), static_cast<void>(visitor);
   CGAL::Quad_meshing::quadrangulate(

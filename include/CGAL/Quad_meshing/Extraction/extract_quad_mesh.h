@@ -9,12 +9,11 @@
 #ifndef CGAL_QUAD_MESHING_EXTRACTION_EXTRACT_QUAD_MESH_H
 #define CGAL_QUAD_MESHING_EXTRACTION_EXTRACT_QUAD_MESH_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Extraction/Quad_extraction_result.h>
 #include <CGAL/Quad_meshing/Extraction/internal/extract_quads.h>
 #include <CGAL/Quad_meshing/Extraction/internal/write_grid_graph.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/copy_corners.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
@@ -25,7 +24,6 @@
 #include <CGAL/use.h>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -112,7 +110,6 @@ Quad_extraction_result extract_quad_mesh(const TriangleMesh& tm, HalfedgeUVMap u
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   using parameters::is_default_parameter;
 
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
@@ -120,18 +117,10 @@ Quad_extraction_result extract_quad_mesh(const TriangleMesh& tm, HalfedgeUVMap u
   typedef typename boost::property_map<QuadMesh, vertex_point_t>::type Quad_vpm;
   typedef typename boost::property_traits<Quad_vpm>::value_type Quad_point;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t, internal_np::face_location_map_t,
-                               internal_np::visitor_t>::value;
-  static_assert(takes_parameters, "extract_quad_mesh() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t,
+                             internal_np::face_index_t, internal_np::face_location_map_t, internal_np::visitor_t>();
 
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  internal::Named_visitor<NamedParameters> visitor(np);
 
   Quad_extraction_result result;
   if(!is_triangle_mesh(tm))
@@ -143,7 +132,7 @@ Quad_extraction_result extract_quad_mesh(const TriangleMesh& tm, HalfedgeUVMap u
   internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
   internal::split_non_manifold_vertices(mesh);
   internal::Extracted_quads quads;
-  if(!internal::extract_quads(mesh, internal::copy_corners(tm, uv, fim), any_visitor, quads, result))
+  if(!internal::extract_quads(mesh, internal::copy_corners(tm, uv, fim), visitor, quads, result))
     return result;
 
   std::vector<face_descriptor> face_of_index(mesh.number_of_faces());

@@ -8,11 +8,10 @@
 #ifndef CGAL_QUAD_MESHING_FIELDS_SALIENT_DIRECTIONS_H
 #define CGAL_QUAD_MESHING_FIELDS_SALIENT_DIRECTIONS_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/curvature_guides.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -21,7 +20,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -79,24 +77,16 @@ Curvature_guide_result salient_directions(const TriangleMesh& tm, double target_
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
   typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::minimum_anisotropy_t, internal_np::visitor_t,
-                               internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
-                               internal_np::geom_traits_t>::value;
-  static_assert(takes_parameters, "salient_directions() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::minimum_anisotropy_t, internal_np::visitor_t,
+                             internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+                             internal_np::geom_traits_t>();
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The map of directions must take an optional vector for every face, such as std::optional<Vector_3>.");
 
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const double minimum_anisotropy = choose_parameter(get_parameter(np, internal_np::minimum_anisotropy), 0.8);
 
   Curvature_guide_result result;
@@ -106,10 +96,10 @@ Curvature_guide_result salient_directions(const TriangleMesh& tm, double target_
     result.message = "The mesh has a face that is not a triangle.";
     return result;
   }
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<internal::Indexed_triangle_mesh::Vector_3> directions;
   result = internal::find_salient_directions(internal::make_indexed_triangle_mesh(tm, np), target_edge_length,
-                                             minimum_anisotropy, any_visitor, directions);
+                                             minimum_anisotropy, visitor, directions);
   if(!result.is_valid())
     return result;
   const auto fim = internal::face_numbers(tm, np);

@@ -8,11 +8,10 @@
 #ifndef CGAL_QUAD_MESHING_FIELDS_SIZING_H
 #define CGAL_QUAD_MESHING_FIELDS_SIZING_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/curvature_guides.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -22,7 +21,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -96,20 +94,10 @@ Curvature_guide_result curvature_sizing(const TriangleMesh& tm, double tolerance
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
+  internal::check_parameters<NamedParameters, internal_np::sizing_gradation_t, internal_np::visitor_t,
+                             internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>();
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::sizing_gradation_t, internal_np::visitor_t,
-                               internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t>::value;
-  static_assert(takes_parameters, "curvature_sizing() does not take one of the named parameters.");
-
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const double gradation = choose_parameter(get_parameter(np, internal_np::sizing_gradation), 0.3);
 
   Curvature_guide_result result;
@@ -119,10 +107,10 @@ Curvature_guide_result curvature_sizing(const TriangleMesh& tm, double tolerance
     result.message = "The mesh has a face that is not a triangle.";
     return result;
   }
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<double> length;
   result = internal::find_curvature_sizing(internal::make_indexed_triangle_mesh(tm, np), tolerance, minimum, maximum,
-                                           gradation, any_visitor, length);
+                                           gradation, visitor, length);
   if(!result.is_valid())
     return result;
   const auto fim = internal::face_numbers(tm, np);

@@ -87,6 +87,17 @@ enum class Elimination_order
 
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
+\brief The variable that is eliminated with an equality constraint, if several of its real variables, or several
+integers with a coefficient of one, could be.
+*/
+enum class Elimination_pivot
+{
+  FEWEST_CONSTRAINTS, ///< one that occurs in the fewest other constraints, which keeps those sparse
+  LARGEST_COEFFICIENT ///< the first one with the largest coefficient, as in [Bom12, 5.1.2], for comparison
+};
+
+/*!
+\ingroup PkgQuadMeshingMixedIntegerRef
 \brief returns the name of a method as programs spell it, for instance `"branch-and-bound"`.
 */
 inline const char* rounding_method_name(Rounding_method method)

@@ -9,36 +9,17 @@
 #ifndef CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_SOLVE_MIXED_INTEGER_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
-#include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
-#include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/read_solver_options.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/solve_mixed_integer_kernel.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
-#include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/parameters.h>
-
-#include <type_traits>
 
 namespace CGAL {
 namespace Quad_meshing {
-namespace internal {
-
-// The way to solve that goes with the type of the named parameter `sparse_linear_solver`.
-template <typename Linear_solver>
-Sparse_cholesky<double> make_linear_solver()
-{
-  if constexpr(std::is_same<Linear_solver, Sparse_cholesky<double>>::value)
-    return Sparse_cholesky<double>();
-  else
-    return custom_sparse_cholesky<Linear_solver>();
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgQuadMeshingMixedIntegerRef
 
@@ -71,6 +52,11 @@ exception is thrown and nothing is printed.
                           solution tells what it does to the matrix}
     \cgalParamType{`Elimination_order`}
     \cgalParamDefault{`Elimination_order::FEWEST_COEFFICIENTS`}
+  \cgalParamNEnd
+  \cgalParamNBegin{elimination_pivot}
+    \cgalParamDescription{the variable that goes with an equality constraint, where there is a choice}
+    \cgalParamType{`Elimination_pivot`}
+    \cgalParamDefault{`Elimination_pivot::FEWEST_CONSTRAINTS`}
   \cgalParamNEnd
   \cgalParamNBegin{constraint_tolerance}
     \cgalParamDescription{An equality constraint depends on others if, with them, its coefficients cancel up
@@ -105,10 +91,9 @@ exception is thrown and nothing is printed.
     \cgalParamDefault{`10`}
   \cgalParamNEnd
   \cgalParamNBegin{allow_refactorization}
-    \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels do
-      not
-                          suffice, and after a tenth of all roundings. Without, it goes on with what these steps have
-                          reached.}
+    \cgalParamDescription{whether greedy rounding may compute a new factorization where the steps of the other levels
+                          do not suffice, and after a tenth of all roundings. Without, it goes on with what these
+                          steps have reached.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -120,23 +105,24 @@ exception is thrown and nothing is printed.
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_nodes}
     \cgalParamDescription{the number of nodes (enumeration of the lattice) or subproblems (branch-and-bound)
-                          after which the best solution so far is returned}
+                          after which the best solution so far is returned. Nodes of the lattice stand for work: all
+                          that is done besides counts as many as take the same time, and `1e8` of them take about two
+                          seconds.}
     \cgalParamType{`double`}
-    \cgalParamDefault{`3e7`}
+    \cgalParamDefault{`1e8`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_bound_rounds}
     \cgalParamDescription{the number of rounds of the semidefinite relaxation that raises the lower bound of `LATTICE`
                           where the enumeration has not proven the optimum. A round adds as many inequalities as there
-                          are
-                          integers; six take some seconds with 100 integers, and each step takes time cubic in them.}
+                          are integers; six take some seconds with 100 integers, and each step takes time cubic in
+                          them.}
     \cgalParamType{`int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the number of seconds, by the clock on the wall, after which the best solution so far is
                           returned; `message` then says so. The first factorization and one rounding of all integers are
-                          made in
-                          any case. Results that meet this limit depend on the machine.}
+                          made in any case. Results that meet this limit depend on the machine.}
     \cgalParamType{`double`}
     \cgalParamDefault{unlimited}
   \cgalParamNEnd
@@ -168,64 +154,10 @@ template <typename NamedParameters = parameters::Default_named_parameters>
 Mixed_integer_solution solve_mixed_integer(const Mixed_integer_problem& problem,
                                            const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-
-  constexpr bool takes_parameters = internal::Takes_parameters<
-    NamedParameters, internal_np::rounding_method_t, internal_np::sparse_linear_solver_t,
-    internal_np::elimination_order_t, internal_np::constraint_tolerance_t, internal_np::rounding_tolerance_t,
-    internal_np::gauss_seidel_iterations_t, internal_np::conjugate_gradient_iterations_t,
-    internal_np::allow_refactorization_t, internal_np::simultaneous_rounding_t, internal_np::maximum_dense_integers_t,
-    internal_np::maximum_number_of_nodes_t, internal_np::number_of_bound_rounds_t, internal_np::maximum_running_time_t,
-    internal_np::relative_gap_tolerance_t, internal_np::subproblem_selection_t, internal_np::branching_rule_t,
-    internal_np::visitor_t>::value;
-  static_assert(takes_parameters, "solve_mixed_integer() does not take one of the named parameters.");
-
-  typedef typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t, NamedParameters,
-                                                       Sparse_cholesky<double>>::type Linear_solver;
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
-
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
-  internal::Solver_options options;
-  options.method =
-    choose_parameter(get_parameter(np, internal_np::rounding_method),
-                     problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND : Rounding_method::GREEDY);
-  options.elimination_order =
-    choose_parameter(get_parameter(np, internal_np::elimination_order), options.elimination_order);
-  options.constraint_tolerance =
-    choose_parameter(get_parameter(np, internal_np::constraint_tolerance), options.constraint_tolerance);
-  options.rounding_tolerance =
-    choose_parameter(get_parameter(np, internal_np::rounding_tolerance), options.rounding_tolerance);
-  options.gauss_seidel_iterations =
-    choose_parameter(get_parameter(np, internal_np::gauss_seidel_iterations), options.gauss_seidel_iterations);
-  options.conjugate_gradient_iterations = choose_parameter(
-    get_parameter(np, internal_np::conjugate_gradient_iterations), options.conjugate_gradient_iterations);
-  options.allow_refactorization =
-    choose_parameter(get_parameter(np, internal_np::allow_refactorization), options.allow_refactorization);
-  options.simultaneous_rounding =
-    choose_parameter(get_parameter(np, internal_np::simultaneous_rounding), options.simultaneous_rounding);
-  options.maximum_dense_integers =
-    choose_parameter(get_parameter(np, internal_np::maximum_dense_integers), options.maximum_dense_integers);
-  options.maximum_number_of_nodes =
-    choose_parameter(get_parameter(np, internal_np::maximum_number_of_nodes), options.maximum_number_of_nodes);
-  options.number_of_bound_rounds =
-    choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds), options.number_of_bound_rounds);
-  options.maximum_running_time =
-    choose_parameter(get_parameter(np, internal_np::maximum_running_time), options.maximum_running_time);
-  options.relative_gap_tolerance =
-    choose_parameter(get_parameter(np, internal_np::relative_gap_tolerance), options.relative_gap_tolerance);
-  options.subproblem_selection =
-    choose_parameter(get_parameter(np, internal_np::subproblem_selection), options.subproblem_selection);
-  options.branching_rule = choose_parameter(get_parameter(np, internal_np::branching_rule), options.branching_rule);
-
-  internal::Visitor_adaptor<std::remove_reference_t<Visitor_reference>> any_visitor(visitor);
-  return internal::solve_mixed_integer_kernel(problem, options, internal::make_linear_solver<Linear_solver>(),
-                                              any_visitor);
+  const internal::Solver_options options = internal::read_solver_options(
+    np, problem.has_inequalities() ? Rounding_method::BRANCH_AND_BOUND : Rounding_method::GREEDY);
+  internal::Named_visitor<NamedParameters> visitor(np);
+  return internal::solve_mixed_integer_kernel(problem, options, internal::read_linear_solver(np), visitor);
 }
 
 } // namespace Quad_meshing

@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_reference.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/read_parameter.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -36,6 +37,10 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
 {
   typedef typename GetVertexPointMap<QuadMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
+
+  check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                   internal_np::vertex_is_constrained_t, internal_np::smoothing_iterations_t,
+                   internal_np::smooth_globally_t, internal_np::visitor_t>();
 
   Smoothing_options options;
   read_parameter(np, internal_np::smoothing_iterations, options.iterations);

@@ -9,17 +9,15 @@
 #ifndef CGAL_QUAD_MESHING_SMOOTHING_WORK_ON_QUAD_MESH_COPY_H
 #define CGAL_QUAD_MESHING_SMOOTHING_WORK_ON_QUAD_MESH_COPY_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_status.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-
-#include <type_traits>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -35,19 +33,15 @@ Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const Mak
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, qm));
   auto ecm = edge_constraint_map(qm, np);
-  Default_visitor default_visitor;
-  auto&& user_visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  Visitor_adaptor<std::remove_reference_t<decltype(user_visitor)>> visitor(user_visitor);
+  Named_visitor<NamedParameters> visitor(np);
 
-  typedef decltype(Result::status) Status;
   Result result;
   if(!is_quad_mesh(qm))
   {
-    result.status = Status::NOT_A_QUAD_MESH;
+    result.status = Quad_mesh_status::NOT_A_QUAD_MESH;
     result.message = "The mesh has faces that are not quads.";
     return result;
   }
@@ -55,7 +49,7 @@ Result work_on_quad_mesh_copy(QuadMesh& qm, const NamedParameters& np, const Mak
   Smoothing_reference reference = make_reference(copy.mesh);
   if(copy.mesh.number_of_faces() > 0 && reference.is_empty())
   {
-    result.status = Status::EMPTY_REFERENCE;
+    result.status = Quad_mesh_status::EMPTY_REFERENCE;
     result.message = "The reference surface has no triangle of positive area.";
     return result;
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
+#include <CGAL/Quad_meshing/Smoothing/Quad_mesh_status.h>
 
 #include <cstddef>
 #include <string>
@@ -32,51 +33,21 @@ enum class Structure_method
 /*!
  * \ingroup PkgQuadMeshingStructureRef
  *
- * \brief is the outcome of `optimize_quad_structure()`.
- */
-enum class Structure_optimization_status
-{
-  OPTIMIZED,       ///< the structure has been optimized, as far as the time allowed it
-  NOT_A_QUAD_MESH, ///< the mesh has faces that are not quads, or no faces; it has not been touched
-  EMPTY_REFERENCE, ///< the reference has no triangle of positive area; the mesh has not been touched
-  STOPPED          ///< the visitor asked for an early end; the mesh is as it was
-};
-
-/*!
- * \ingroup PkgQuadMeshingStructureRef
- *
- * \brief returns the name of the enumerator in lower case.
- */
-inline const char* status_name(Structure_optimization_status status)
-{
-  switch(status)
-  {
-    case Structure_optimization_status::OPTIMIZED: return "optimized";
-    case Structure_optimization_status::NOT_A_QUAD_MESH: return "not_a_quad_mesh";
-    case Structure_optimization_status::EMPTY_REFERENCE: return "empty_reference";
-    case Structure_optimization_status::STOPPED: return "stopped";
-  }
-  return "unknown";
-}
-
-/*!
- * \ingroup PkgQuadMeshingStructureRef
- *
  * \brief tells what `optimize_quad_structure()` did.
  */
 struct Quad_structure_optimization_result
 {
-  Structure_optimization_status status = Structure_optimization_status::OPTIMIZED; ///< the outcome
-  std::string message;                                                             ///< the outcome as a sentence
-  bool is_time_up = false;              ///< whether `maximum_running_time` ended the search
-  std::size_t operators_applied = 0;    ///< number of grid-preserving operators applied one by one
-  Quad_mesh_structure structure_before; ///< structure of the input
-  Quad_mesh_structure structure_after;  ///< structure of the output
+  Quad_mesh_status status = Quad_mesh_status::SUCCESS; ///< the outcome
+  std::string message;                                 ///< the outcome as a sentence
+  bool is_time_up = false;                             ///< whether `maximum_running_time` ended the search
+  std::size_t operators_applied = 0;                   ///< number of grid-preserving operators applied one by one
+  Quad_mesh_structure structure_before;                ///< structure of the input
+  Quad_mesh_structure structure_after;                 ///< structure of the output
   /// what the smoothing at the end did. Its input is the mesh after the last operator.
   Quad_mesh_smoothing_result smoothing;
 
   /// whether the structure has been optimized.
-  bool is_valid() const { return status == Structure_optimization_status::OPTIMIZED; }
+  bool is_valid() const { return status == Quad_mesh_status::SUCCESS; }
 };
 
 } // namespace Quad_meshing

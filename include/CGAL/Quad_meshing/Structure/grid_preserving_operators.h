@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/internal/gp_kernels.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -89,6 +90,10 @@ struct Gp_input
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+
+    check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                     internal_np::vertex_is_constrained_t, internal_np::merge_singularities_t,
+                     internal_np::operator_step_cost_t>();
 
     CGAL_precondition(is_quad_mesh(qm));
     const auto vpm =

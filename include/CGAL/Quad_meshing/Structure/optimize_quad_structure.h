@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_reference.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/read_parameter.h>
 #include <CGAL/Quad_meshing/internal/write_quad_mesh.h>
 #include <CGAL/Quad_meshing/parameters.h>
@@ -38,6 +39,13 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
 {
   typedef Quad_structure_optimization_result Result;
 
+  check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                   internal_np::vertex_is_constrained_t, internal_np::structure_method_t,
+                   internal_np::merge_singularities_t, internal_np::collapse_dual_curves_t,
+                   internal_np::target_number_of_quads_t, internal_np::target_number_of_patches_t,
+                   internal_np::number_of_iterations_t, internal_np::smoothing_iterations_t,
+                   internal_np::maximum_running_time_t, internal_np::visitor_t>();
+
   Structure_options options;
   read_parameter(np, internal_np::structure_method, options.method);
   read_parameter(np, internal_np::merge_singularities, options.merge_singularities);
@@ -55,14 +63,14 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
                                           if(copy.mesh.number_of_faces() == 0)
                                           {
                                             Result result;
-                                            result.status = Structure_optimization_status::NOT_A_QUAD_MESH;
+                                            result.status = Quad_mesh_status::NOT_A_QUAD_MESH;
                                             result.message = "The mesh has no faces.";
                                             return result;
                                           }
                                           Structure_state s = initial_structure_state(copy.mesh, is_fixed);
                                           const Result result =
                                             optimize_indexed_quad_structure(s, reference, options, visitor);
-                                          if(result.status == Structure_optimization_status::OPTIMIZED)
+                                          if(result.status == Quad_mesh_status::SUCCESS)
                                             write_quad_mesh(s.mesh, s.vertex_origin, s.face_origin, copy, qm, vpm, ecm);
                                           return result;
                                         });

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
+#include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -42,6 +43,9 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+
+  check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+                   internal_np::edge_is_constrained_t>();
 
   const auto vpm =
     choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));

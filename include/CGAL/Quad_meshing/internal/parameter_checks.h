@@ -57,6 +57,13 @@ struct Takes_parameters<internal_np::Quad_meshing_np_link<T, Tag, Base>, Known..
     Function_takes_parameter<Tag, Known...>::value && Takes_parameters<Base, Known...>::value;
 };
 
+// Ends in one error, which names the first parameter of a pack that a function does not know.
+template <typename NamedParameters, typename... Known>
+constexpr void check_parameters()
+{
+  static_cast<void>(Takes_parameters<NamedParameters, Known...>::value);
+}
+
 // Maps are judged by their traits, as calls of Boost's get() fail inside, not in the signature.
 template <typename Map, typename Key, typename Value>
 struct Is_readable_map

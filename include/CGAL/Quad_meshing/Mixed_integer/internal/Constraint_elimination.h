@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Constraint_row.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Eliminated_constraints.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Elimination_number.h>
+#include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,15 +52,19 @@ class Constraint_elimination
   typedef Elimination_step<NT> Step;
 
 public:
-  Constraint_elimination(const Mixed_integer_problem& problem, double tolerance, Elimination_order order)
-    : m_size(problem.number_of_variables()), m_tolerance(tolerance), m_order(order), m_is_safe(true)
+  Constraint_elimination(const Mixed_integer_problem& problem, const Solver_options& options)
+    : m_size(problem.number_of_variables())
+    , m_tolerance(options.constraint_tolerance)
+    , m_order(options.elimination_order)
+    , m_pivot(options.elimination_pivot)
+    , m_is_safe(true)
   {
     for(int i = 0; i < m_size; ++i)
       m_is_integer.push_back(problem.is_integer(i));
     m_columns.resize(m_size);
     for(const Mixed_integer_problem::Linear_constraint& c : problem.equality_constraints())
     {
-      m_rows.emplace_back(c, tolerance, m_is_integer);
+      m_rows.emplace_back(c, m_tolerance, m_is_integer);
       check_size(m_rows.back());
       for(const Entry& entry : m_rows.back().entries)
       {
@@ -158,7 +163,7 @@ private:
 
   int real_pivot(const Row& row) const
   {
-    const double threshold = 0.1;
+    const double threshold = m_pivot == Elimination_pivot::LARGEST_COEFFICIENT ? 1. : 0.1;
     double largest = 0.;
     for(const Entry& e : row.entries)
       if(!m_is_integer[e.first])
@@ -171,6 +176,8 @@ private:
       const double a = std::fabs(Number::to_double(e.second));
       if(m_is_integer[e.first] || a < threshold * largest)
         continue;
+      if(m_pivot == Elimination_pivot::LARGEST_COEFFICIENT)
+        return static_cast<int>(i);
       int exponent;
       const bool is_dyadic = row.is_integral && std::frexp(a, &exponent) == 0.5;
       const std::pair<int, std::size_t> cost(is_dyadic ? 0 : 1, m_columns[e.first].size());
@@ -185,10 +192,12 @@ private:
 
   int unit_pivot(const Row& row) const
   {
+    const bool is_first_best = m_pivot == Elimination_pivot::LARGEST_COEFFICIENT;
     int best = -1;
     for(std::size_t i = 0; i < row.entries.size(); ++i)
       if(Number::abs(row.entries[i].second) == NT(1) &&
-         (best < 0 || m_columns[row.entries[i].first].size() < m_columns[row.entries[best].first].size()))
+         (best < 0 ||
+          (!is_first_best && m_columns[row.entries[i].first].size() < m_columns[row.entries[best].first].size())))
         best = static_cast<int>(i);
     return best;
   }
@@ -343,6 +352,7 @@ private:
   int m_size;
   double m_tolerance;
   Elimination_order m_order;
+  Elimination_pivot m_pivot;
   bool m_is_safe;
   std::vector<char> m_is_integer; // originals, then the variables Euclid's algorithm made
   std::vector<Row> m_rows;
@@ -352,20 +362,20 @@ private:
 };
 
 // Eliminates in doubles and, should integers outgrow them or someone need exact numbers, in exact rationals.
-inline Eliminated_constraints eliminate_constraints(const Mixed_integer_problem& problem, double tolerance,
-                                                    Elimination_order order, bool must_be_exact)
+inline Eliminated_constraints eliminate_constraints(const Mixed_integer_problem& problem, const Solver_options& options,
+                                                    bool must_be_exact)
 {
   Eliminated_constraints result;
   if(must_be_exact)
   {
-    Constraint_elimination<CGAL::Exact_rational>(problem, tolerance, order).run(result);
+    Constraint_elimination<CGAL::Exact_rational>(problem, options).run(result);
     return result;
   }
-  Constraint_elimination<double> fast(problem, tolerance, order);
+  Constraint_elimination<double> fast(problem, options);
   if(fast.run(result))
     return result;
   result = Eliminated_constraints();
-  Constraint_elimination<CGAL::Exact_rational>(problem, tolerance, order).run(result);
+  Constraint_elimination<CGAL::Exact_rational>(problem, options).run(result);
   return result;
 }
 

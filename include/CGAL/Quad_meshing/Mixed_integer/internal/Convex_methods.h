@@ -67,20 +67,31 @@ public:
     if(m_options.method < Rounding_method::BRANCH_AND_BOUND)
       return failure(Status::UNSUPPORTED_PROBLEM,
                      "Only the branch-and-bound family of methods knows convex constraints.");
-    if(!m_cuts.are_convex())
-      return failure(Status::NUMERICAL_FAILURE, "A quadratic constraint is not convex.");
-    Mixed_integer_solution point;
-    const Status phase_one = find_relaxed_point(point);
-    if(!m_cuts.are_finite())
-      return failure(Status::NUMERICAL_FAILURE, "A function of a constraint has no finite value.");
-    if(phase_one != Status::OPTIMAL)
-      return ended(phase_one, point);
+    const Mixed_integer_solution point = relaxed_point();
+    if(point.status != Status::OPTIMAL)
+      return point;
     m_center = point.x;
     m_cuts.set_inside(m_center);
     const Mixed_integer_solution solution = search();
     if(!m_cuts.are_finite())
       return failure(Status::NUMERICAL_FAILURE, "A function of a constraint has no finite value.");
     return solution;
+  }
+
+  // The first phase alone: a point that meets all constraints if integers are taken for reals, with the status
+  // `OPTIMAL`.
+  Mixed_integer_solution relaxed_point()
+  {
+    if(!m_cuts.are_convex())
+      return failure(Status::NUMERICAL_FAILURE, "A quadratic constraint is not convex.");
+    Mixed_integer_solution point;
+    const Status status = find_relaxed_point(point);
+    if(!m_cuts.are_finite())
+      return failure(Status::NUMERICAL_FAILURE, "A function of a constraint has no finite value.");
+    if(status != Status::OPTIMAL)
+      return ended(status, point);
+    point.cuts = m_cuts.count();
+    return point;
   }
 
 private:

@@ -59,8 +59,7 @@ public:
       return fail(Mixed_integer_status::UNSUPPORTED_PROBLEM,
                   "Only the branch-and-bound family of methods knows inequality constraints and bounds.");
 
-    m_constraints = eliminate_constraints(m_problem, m_options.constraint_tolerance, m_options.elimination_order,
-                                          m_options.method >= Rounding_method::BRANCH_AND_BOUND);
+    m_constraints = eliminate_constraints(m_problem, m_options, m_options.method >= Rounding_method::BRANCH_AND_BOUND);
     m_solution.redundant_constraints = m_constraints.redundant;
     m_solution.conflicting_constraints = m_constraints.conflicting;
     m_reduced = reduce(m_A, m_b, m_problem.constant(), m_constraints);

@@ -22,6 +22,7 @@ struct Solver_options
 {
   Rounding_method method = Rounding_method::GREEDY;
   Elimination_order elimination_order = Elimination_order::FEWEST_COEFFICIENTS;
+  Elimination_pivot elimination_pivot = Elimination_pivot::FEWEST_CONSTRAINTS;
   double constraint_tolerance = 1e-6;
   double rounding_tolerance = 3e-4;
   int gauss_seidel_iterations = 20000;
@@ -30,7 +31,9 @@ struct Solver_options
   bool simultaneous_rounding = true;
   int maximum_dense_integers = 1000;
   double maximum_running_time = std::numeric_limits<double>::infinity();
-  double maximum_number_of_nodes = 3e7;
+  // Nodes of a lattice: about two seconds of one core. It proves 80 integers of a parametrization, and parts of a tree
+  // of 100 and more.
+  double maximum_number_of_nodes = 1e8;
   int number_of_bound_rounds = 0;
   double relative_gap_tolerance = 1e-9;
   Subproblem_selection subproblem_selection = Subproblem_selection::BEST_BOUND;

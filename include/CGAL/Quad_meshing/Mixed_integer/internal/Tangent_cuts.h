@@ -48,6 +48,24 @@ public:
     return true;
   }
 
+  // Whether `x` meets the constraints, up to the accuracy that is asked of reals.
+  bool are_met(const Eigen::VectorXd& x) const
+  {
+    for(const Mixed_integer_problem::Convex_constraint& c : m_problem.convex_constraints())
+      if(!tangent_at(c, values_of(c, x)).is_met())
+        return false;
+    return true;
+  }
+
+  // The largest value of the functions at `x`, at least zero.
+  double largest_value(const Eigen::VectorXd& x) const
+  {
+    double result = 0.;
+    for(const Mixed_integer_problem::Convex_constraint& c : m_problem.convex_constraints())
+      result = (std::max)(result, tangent_at(c, values_of(c, x)).value);
+    return result;
+  }
+
   // A point that meets the constraints: tangents are taken where the segment from there leaves them, if that is better.
   void set_inside(const Eigen::VectorXd& x) { m_inside = x; }
 
@@ -55,16 +73,15 @@ public:
   // Returns whether there is one.
   bool add_violated(const Eigen::VectorXd& x, Mixed_integer_problem& problem)
   {
-    // Of the value at x, relative to one and to the terms of the tangent: what counts as a violation, and by how much a
-    // tangent is moved outwards for round-off.
-    const double tolerance = 1e-7, round_off = 1e-12;
+    // Of the value at x, relative to one and to the terms of the tangent: by how much a tangent is moved outwards.
+    const double round_off = 1e-12;
     const double grid = 1. / 65536.; // 2^-16
     bool has_added = false;
     for(const Mixed_integer_problem::Convex_constraint& c : m_problem.convex_constraints())
     {
       const Eigen::VectorXd values = values_of(c, x);
       Tangent best = tangent_at(c, values);
-      if(best.is_finite && !(best.value > tolerance * best.size()))
+      if(best.is_met())
         continue;
       if(m_inside.size() > 0)
       {
@@ -122,6 +139,11 @@ private:
     bool is_finite;
 
     double size() const { return 1. + gradient.cwiseProduct(point).cwiseAbs().sum(); }
+    bool is_met() const
+    {
+      const double tolerance = 1e-7; // of the value, relative to one and to the terms of the tangent
+      return is_finite && !(value > tolerance * size());
+    }
     // The distance from a point to the half-space of the tangent.
     double depth(const Eigen::VectorXd& x) const
     {

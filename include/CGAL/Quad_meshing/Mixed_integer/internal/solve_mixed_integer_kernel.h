@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_MIXED_INTEGER_INTERNAL_SOLVE_MIXED_INTEGER_KERNEL_H
 
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
+#include <CGAL/Quad_meshing/Mixed_integer/Feasible_point.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_problem.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Mixed_integer_solution.h>
 #include <CGAL/Quad_meshing/Mixed_integer/internal/Solver_options.h>
@@ -25,6 +26,11 @@ CGAL_QUAD_MESHING_INLINE Mixed_integer_solution solve_mixed_integer_kernel(const
                                                                            const Solver_options& options,
                                                                            const Sparse_cholesky<double>& linear_solver,
                                                                            Any_visitor& visitor);
+
+CGAL_QUAD_MESHING_INLINE Feasible_point find_feasible_point_kernel(const Mixed_integer_problem& problem,
+                                                                   const Solver_options& options,
+                                                                   const Sparse_cholesky<double>& linear_solver,
+                                                                   Any_visitor& visitor);
 
 } // namespace internal
 } // namespace Quad_meshing

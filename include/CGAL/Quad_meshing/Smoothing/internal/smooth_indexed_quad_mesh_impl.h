@@ -76,7 +76,7 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Ind
   if(!watched.go_further())
   {
     m.points = input_points;
-    result.status = Quad_mesh_smoothing_status::STOPPED;
+    result.status = Quad_mesh_status::STOPPED;
     result.folded_quads_after = result.folded_quads_before;
     result.message = "The smoothing was stopped; the mesh is as it was.";
     return result;

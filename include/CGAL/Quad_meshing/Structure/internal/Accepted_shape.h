@@ -44,7 +44,7 @@ public:
 
   bool accepts(const Quad_mesh_smoothing_result& r) const
   {
-    return r.status == Quad_mesh_smoothing_status::SMOOTHED &&
+    return r.status == Quad_mesh_status::SUCCESS &&
            (!m_is_limited ||
             (r.folded_quads_after <= m_most_folded && r.quality_after.number_of_inverted_quads <= m_most_inverted &&
              r.quality_after.minimal_scaled_jacobian >= m_least_jacobian));

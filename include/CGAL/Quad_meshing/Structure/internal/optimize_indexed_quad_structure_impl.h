@@ -97,7 +97,7 @@ CGAL_QUAD_MESHING_INLINE Quad_structure_optimization_result optimize_indexed_qua
   watched.go_further();
   if(watched.is_stopped())
   {
-    result.status = Structure_optimization_status::STOPPED;
+    result.status = Quad_mesh_status::STOPPED;
     result.operators_applied = 0;
     result.structure_after = result.structure_before;
     result.message = "The optimization was stopped; the mesh is as it was.";
