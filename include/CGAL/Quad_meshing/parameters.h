@@ -88,6 +88,14 @@
 //   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they
 //                                                 have to go far; false
 //   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step
+//
+// Layouts
+//   layout_chart                    Layout_chart  the kind of all charts of a layout; AUTOMATIC: what its patches say
+//   arc_alignment                   Arc_alignment  the arcs of a layout that quad edges represent; FEATURES
+//   mean_value_weights              bool          whether a layout is parameterized with mean value weights instead of
+//                                                 discrete harmonic ones; false
+//   least_squares_alignment         bool          whether all equations at aligned arcs hold in the sense of least
+//                                                 squares instead of those along the arcs exactly; false
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -135,6 +143,10 @@
   CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations, smoothing_iterations)      \
   CGAL_add_named_parameter(smooth_globally_t, smooth_globally, smooth_globally)                     \
   CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost, operator_step_cost)            \
+  CGAL_add_named_parameter(layout_chart_t, layout_chart, layout_chart)                              \
+  CGAL_add_named_parameter(arc_alignment_t, arc_alignment, arc_alignment)                           \
+  CGAL_add_named_parameter(mean_value_weights_t, mean_value_weights, mean_value_weights)            \
+  CGAL_add_named_parameter(least_squares_alignment_t, least_squares_alignment, least_squares_alignment)\
   CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
 
 // clang-format on
