@@ -59,7 +59,8 @@ Surface_layout layout_from_quad_mesh(const QuadMesh& qm, const NamedParameters& 
  * \brief returns the base complex of a quad mesh as a layout.
  *
  * Its arcs pass through the vertices of the quad mesh, which should lie on the surface on which the layout is drawn
- * later, or very near it. An arc is aligned if all its edges are constrained.
+ * later, or very near it. Constrained edges are arcs, too; where a chain of them ends or bends inside a patch, it goes
+ * straight on up to the next arc. An arc is aligned if all its edges are constrained.
  *
  * \tparam QuadMesh a model of `FaceListGraph`
  * \tparam NamedParameters a sequence of named parameters

@@ -44,6 +44,9 @@ public:
   // may come where it is not.
   static constexpr double snapping = 0.1, margin = 0.02;
 
+  // A step along a feature edge costs this part of its length, so that arcs near features run along them.
+  static constexpr double cost_along_features = 0.7;
+
   // A vertex, or a point on an edge: source + t (target - source) of a halfedge.
   struct Step
   {
@@ -55,7 +58,13 @@ public:
   // The corners of a vertex, as halfedges that leave it, in which a path may leave or reach it; empty: all.
   typedef std::vector<int> Sector;
 
-  explicit Arc_router(Split_surface& surface) : m_surface(surface) {}
+  explicit Arc_router(Split_surface& surface)
+    : m_surface(surface)
+    , m_least_cost(std::find(surface.is_feature.begin(), surface.is_feature.end(), 1) == surface.is_feature.end()
+                     ? 1
+                     : cost_along_features)
+  {
+  }
 
   // Vertices that no path may pass through.
   void block(int v)
@@ -175,16 +184,22 @@ private:
     return !is_blocked(v);
   }
 
-  void reach(int from, int node, double distance)
+  double least_cost_to_target(int node) const
   {
-    const double d = distance + std::sqrt(squared_distance(point(step(from)), point(step(node))));
+    return m_least_cost * std::sqrt(squared_distance(point(step(node)), m_surface.mesh.points[m_target]));
+  }
+
+  void reach(int from, int node, double distance, bool along_feature = false)
+  {
+    const double d = distance + (along_feature ? cost_along_features : 1) *
+                                  std::sqrt(squared_distance(point(step(from)), point(step(node))));
     if(m_stamp[node] == m_search && m_distance[node] <= d)
       return;
     m_stamp[node] = m_search;
     m_distance[node] = d;
     m_origin[node] = from;
     // the straight distance to the target never overestimates what is left
-    m_queue.push(Item(d + std::sqrt(squared_distance(point(step(node)), m_surface.mesh.points[m_target])), node));
+    m_queue.push(Item(d + least_cost_to_target(node), node));
   }
 
   void reach_edge(int from, int h, double distance)
@@ -222,10 +237,10 @@ private:
             if(is_first && m_respects_arcs && !from.empty() && std::find(from.begin(), from.end(), h) == from.end())
               return;
             if(is_crossable(h) && may_visit(m.target(h), m.next(h)))
-              reach(node, m.target(h), d);
+              reach(node, m.target(h), d, m_surface.is_feature[h]);
             const int p = m.prev(h);
             if(m.opposite[p] == -1 && is_crossable(p) && may_visit(m.source(p), p))
-              reach(node, m.source(p), d);
+              reach(node, m.source(p), d, m_surface.is_feature[p]);
             reach_edge(node, m.next(h), d);
           });
       else
@@ -250,8 +265,7 @@ private:
         const Item item = m_queue.top();
         m_queue.pop();
         node = item.second;
-        const double left = std::sqrt(squared_distance(point(step(node)), m.points[m_target]));
-        if(item.first <= m_distance[node] + left)
+        if(item.first <= m_distance[node] + least_cost_to_target(node))
           break;
       }
     }
@@ -308,6 +322,7 @@ private:
   typedef std::priority_queue<Item, std::vector<Item>, std::greater<Item>> Queue;
 
   Split_surface& m_surface;
+  const double m_least_cost;      // per length
   std::vector<char> m_is_blocked; // per vertex, as far as any is
   bool m_respects_arcs = true;
   int m_source = -1, m_target = -1;

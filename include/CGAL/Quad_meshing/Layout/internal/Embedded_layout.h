@@ -32,7 +32,11 @@ struct Embedded_layout
   std::vector<std::vector<int>> border; // per direction: the halfedges along it, empty where there is no patch
   std::vector<int> patch;               // per face
 
-  Embedded_layout(const Indexed_triangle_mesh& input, const Surface_layout& l) : layout(l), surface(input) {}
+  // `is_feature` is per halfedge of the input.
+  Embedded_layout(const Indexed_triangle_mesh& input, const std::vector<char>& is_feature, const Surface_layout& l)
+    : layout(l), surface(input, is_feature)
+  {
+  }
 
   const Indexed_triangle_mesh& mesh() const { return surface.mesh; }
   int number_of_arcs() const { return static_cast<int>(layout.arcs.size()); }

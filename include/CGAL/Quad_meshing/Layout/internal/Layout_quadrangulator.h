@@ -46,7 +46,7 @@ public:
 
   Layout_quadrangulator(const Indexed_triangle_mesh& input, const std::vector<char>& is_feature,
                         const Surface_layout& layout, const Layout_options& options, Any_visitor& visitor)
-    : m_input(input), m_is_feature(is_feature), m_options(options), m_visitor(visitor), m_e(input, layout)
+    : m_input(input), m_is_feature(is_feature), m_options(options), m_visitor(visitor), m_e(input, is_feature, layout)
   {
   }
 
@@ -186,18 +186,6 @@ private:
         result.t_vertices += side.size() - 1;
   }
 
-  // Whether an edge of the cut mesh lies on a constrained edge of the input.
-  bool is_on_feature(int h) const
-  {
-    const int o = m_e.mesh().opposite[h];
-    const int f = m_e.surface.origin[h / 3];
-    for(int g = 3 * f; g < 3 * f + 3; ++g)
-      if(m_is_feature[g] && o != -1 && m_input.opposite[g] != -1 &&
-         m_input.opposite[g] / 3 == m_e.surface.origin[o / 3])
-        return true;
-    return false;
-  }
-
   void find_arcs_on_features()
   {
     for(int h = 0; h < m_input.number_of_halfedges(); ++h)
@@ -211,7 +199,7 @@ private:
       {
         const double l = m_e.edge_length(h);
         sum += l;
-        on_features += is_on_feature(h) ? l : 0;
+        on_features += m_e.surface.is_feature[h] ? l : 0;
       }
       m_feature_part[a] = sum > 0 ? on_features / sum : 0;
       result.feature_length_on_arcs += on_features;

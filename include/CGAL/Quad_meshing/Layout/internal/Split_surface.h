@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A triangle mesh whose edges and faces can be split, and on whose edges arcs are drawn.
+// A triangle mesh whose edges and faces can be split, and on whose edges arcs are drawn. Parts of feature edges are
+// feature edges.
 //
 // Every vertex lies on the input surface, every face in one of its faces. The edge arrays of the mesh are not kept up.
 struct Split_surface
@@ -26,11 +27,15 @@ struct Split_surface
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 
   Indexed_triangle_mesh mesh;
-  std::vector<int> origin;    // per face: the face of the input that it lies in
-  std::vector<int> direction; // per halfedge: the direction of the arc along it (see Layout_topology), -1 without one
+  std::vector<int> origin;      // per face: the face of the input that it lies in
+  std::vector<int> direction;   // per halfedge: the direction of the arc along it (see Layout_topology), -1 without one
+  std::vector<char> is_feature; // per halfedge
 
-  explicit Split_surface(const Indexed_triangle_mesh& input)
-    : mesh(input), origin(input.number_of_faces()), direction(input.number_of_halfedges(), -1)
+  Split_surface(const Indexed_triangle_mesh& input, const std::vector<char>& feature_halfedges)
+    : mesh(input)
+    , origin(input.number_of_faces())
+    , direction(input.number_of_halfedges(), -1)
+    , is_feature(feature_halfedges)
   {
     for(int f = 0; f < input.number_of_faces(); ++f)
       origin[f] = f;
@@ -57,11 +62,11 @@ struct Split_surface
     const int f = split_half(h, v, renamed);
     // the new faces hold the halves (v, b) and (v, a)
     mesh.halfedge_of_vertex[v] = 3 * f;
-    direction[3 * f] = direction[h];
+    copy_marks(h, 3 * f);
     if(o != -1)
     {
       const int g = split_half(o, v, renamed);
-      direction[3 * g] = direction[o];
+      copy_marks(o, 3 * g);
       join(h, 3 * g);
       join(3 * f, o);
     }
@@ -84,7 +89,8 @@ struct Split_surface
     move(3 * f + 1, 3 * f1);
     move(3 * f + 2, 3 * f2);
     mesh.corners[f][2] = v;
-    direction[3 * f + 1] = direction[3 * f + 2] = -1;
+    clear_marks(3 * f + 1);
+    clear_marks(3 * f + 2);
     join(3 * f + 1, 3 * f1 + 2);
     join(3 * f1 + 1, 3 * f2 + 2);
     join(3 * f2 + 1, 3 * f + 2);
@@ -105,8 +111,21 @@ private:
     mesh.corners.push_back({ { a, b, c } });
     mesh.opposite.insert(mesh.opposite.end(), 3, -1);
     direction.insert(direction.end(), 3, -1);
+    is_feature.insert(is_feature.end(), 3, 0);
     origin.push_back(origin_face);
     return mesh.number_of_faces() - 1;
+  }
+
+  void copy_marks(int from, int to)
+  {
+    direction[to] = direction[from];
+    is_feature[to] = is_feature[from];
+  }
+
+  void clear_marks(int h)
+  {
+    direction[h] = -1;
+    is_feature[h] = 0;
   }
 
   void join(int g, int h)
@@ -122,7 +141,7 @@ private:
     mesh.opposite[to] = o;
     if(o != -1)
       mesh.opposite[o] = to;
-    direction[to] = direction[from];
+    copy_marks(from, to);
     if(mesh.halfedge_of_vertex[mesh.source(to)] == from)
       mesh.halfedge_of_vertex[mesh.source(to)] = to;
   }
@@ -136,7 +155,7 @@ private:
     move(n, 3 * f + 1);
     renamed(n, 3 * f + 1);
     mesh.corners[h / 3][(h % 3 + 1) % 3] = v;
-    direction[n] = -1;
+    clear_marks(n);
     join(n, 3 * f + 2);
     return f;
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Layout/Surface_layout.h>
 #include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
+#include <CGAL/Quad_meshing/internal/Dual_lines.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <cstddef>
@@ -105,14 +106,46 @@ inline Surface_layout quad_mesh_layout(const Indexed_quad_mesh& m)
                          std::vector<char>(m.number_of_vertices(), 1));
 }
 
-// The base complex as a layout.
+// Lets the lines of a partition end on other lines only: where one ends, or bends, inside the mesh, it goes straight on
+// up to the next line, which gets a T-vertex there.
+inline void extend_lines(const Indexed_quad_mesh& m, std::vector<char>& is_cut)
+{
+  const std::vector<char> inner_regular = inner_regular_vertices(m);
+  for(int start = 0; start < m.number_of_halfedges(); ++start)
+    for(int h = start; is_cut[h] && inner_regular[m.target(h)];)
+    {
+      // the edges around the target: h comes in, then to its right, straight on, and to its left
+      const int left = m.next(h), straight = m.next(m.opposite[left]), right = m.next(m.opposite[straight]);
+      if(is_cut[straight] || (is_cut[left] && is_cut[right]))
+        break;
+      is_cut[straight] = 1;
+      if(m.opposite[straight] != -1)
+        is_cut[m.opposite[straight]] = 1;
+      h = straight;
+    }
+}
+
+// The base complex as a layout, with the feature edges, as they may run through patches, and what lets these end.
 inline Surface_layout base_complex_layout(const Indexed_quad_mesh& m)
 {
-  const Base_complex_arrays complex = make_base_complex(m);
-  for(int corners : complex.corners_of_patch)
-    if(corners != 4)
-      return Surface_layout();
-  return layout_of_edges(m, complex.is_separatrix, complex.is_node);
+  std::vector<char> is_cut = separatrix_halfedges(m);
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+    is_cut[h] = is_cut[h] || m.is_feature[h];
+  extend_lines(m, is_cut);
+
+  // a vertex is a node unless a line runs straight through it, or along the border
+  const std::vector<char> inner_regular = inner_regular_vertices(m);
+  std::vector<int> degree(m.number_of_vertices(), 0);
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+    if(is_cut[h] && m.edge(h) == h)
+    {
+      ++degree[m.source(h)];
+      ++degree[m.target(h)];
+    }
+  std::vector<char> is_node(m.number_of_vertices(), 0);
+  for(int v = 0; v < m.number_of_vertices(); ++v)
+    is_node[v] = degree[v] > 2 || (degree[v] > 0 && !inner_regular[v] && !(m.is_border_vertex(v) && m.valence(v) == 3));
+  return layout_of_edges(m, is_cut, is_node);
 }
 
 } // namespace internal
