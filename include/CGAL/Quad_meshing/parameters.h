@@ -79,6 +79,8 @@
 //
 // Structure of quad meshes
 //   optimize_structure              bool          whether quadrangulate() makes the base complex coarser; false
+//   semi_regular                    bool          whether quadrangulate() makes the mesh anew on the input along its
+//                                                 base complex, after the optimization of the structure; false
 //   structure_method                Structure_method  how the structure is optimized; LAYOUT
 //   merge_singularities             bool          whether irregular vertices may be merged with each other and moved
 //                                                 onto constrained edges; false
@@ -103,6 +105,7 @@
   CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
   CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
   CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)            \
+  CGAL_add_named_parameter(semi_regular_t, semi_regular, semi_regular)                              \
   CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
