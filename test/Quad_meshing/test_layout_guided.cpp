@@ -613,7 +613,7 @@ void errors_name_what_is_wrong()
           side[0].is_forward ^= true;
       }
     },
-    "orientation");
+    "cannot be drawn");
   // two arcs whose ways cross
   const Mesh flat = TM::make_mesh(TM::grid(8, 8));
   Layout crossing = LM::rectangle(1, 1);

@@ -74,7 +74,11 @@ public:
     m_is_blocked[v] = 1;
   }
 
-  void release(int v) { m_is_blocked[v] = 0; }
+  void release(int v)
+  {
+    if(is_blocked(v))
+      m_is_blocked[v] = 0;
+  }
 
   bool is_blocked(int v) const { return v < static_cast<int>(m_is_blocked.size()) && m_is_blocked[v]; }
 

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <deque>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -32,7 +34,8 @@ namespace internal {
 // Draws a layout on a triangle mesh, which is cut so that all arcs are chains of edges.
 //
 // Border arcs follow the border. The others are drawn one after the other, those whose way is given first, short ones
-// before long ones, and each leaves its nodes in the sector between the neighbours that the patches give it.
+// before long ones, and each leaves its nodes in the sector between the neighbours that the patches give it. An arc
+// that is in the way of another one is erased and drawn again after it.
 class Layout_embedding
 {
 public:
@@ -40,6 +43,8 @@ public:
   static constexpr int most_new_vertices = 20000, most_vertices_per_vertex = 2;
   // How many times longer an arc without a way may be than it would be without other arcs.
   static constexpr double largest_detour = 3;
+  // How often arcs are drawn again because they were in the way, per arc.
+  static constexpr std::size_t largest_redrawings = 3;
 
   explicit Layout_embedding(Embedded_layout& e) : m_e(e), m_router(e.surface) {}
 
@@ -179,12 +184,27 @@ private:
       key[a] = Key(m_way[a].empty(), squared_distance(p, q), (std::min)(p, q), (std::max)(p, q));
     }
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key[a] < key[b]; });
-    for(std::size_t i = 0; i < order.size() && visitor.go_further(); ++i)
+    // what is in the way of an arc is drawn again after it
+    std::deque<int> waiting(order.begin(), order.end());
+    double completed = 0;
+    std::size_t redrawings = largest_redrawings * order.size();
+    while(!waiting.empty() && visitor.go_further())
     {
-      const std::string error = draw_arc(order[i]);
-      if(!error.empty())
+      const int a = waiting.front();
+      int obstacle = -1;
+      const std::string error = draw_arc(a, obstacle);
+      if(error.empty())
+        waiting.pop_front();
+      else if(obstacle == -1 || redrawings == 0)
         return error;
-      visitor.progress(double(i + 1) / double(order.size()));
+      else
+      {
+        --redrawings;
+        erase(obstacle);
+        waiting.push_back(obstacle);
+      }
+      completed = (std::max)(completed, 1 - double(waiting.size()) / double(order.size()));
+      visitor.progress(completed);
     }
     return std::string();
   }
@@ -211,34 +231,76 @@ private:
     return std::string();
   }
 
-  std::string draw_arc(int a)
+  // If it cannot be drawn, `obstacle` is an arc that is in the way, -1 if there is none that may be erased.
+  std::string draw_arc(int a, int& obstacle)
   {
     const Surface_layout::Arc& arc = m_e.layout.arcs[a];
+    const std::string name = "Arc " + std::to_string(a) + " from node " + std::to_string(arc.source) + " to node " +
+                             std::to_string(arc.target);
     std::vector<int> stops(1, m_e.vertex_of_node[arc.source]);
     stops.insert(stops.end(), m_way[a].begin(), m_way[a].end());
     stops.push_back(m_e.vertex_of_node[arc.target]);
+    if(stops.size() == 2 && stops[0] == stops[1])
+      return name + " is a loop whose way does not leave its node.";
     // from the end that comes first in space, whatever the layout calls the source
     const int d = node_point(arc.target) < node_point(arc.source) ? 2 * a + 1 : 2 * a;
     if(d % 2 == 1)
       std::reverse(stops.begin(), stops.end());
-    if(stops.size() == 2 && stops[0] == stops[1])
-      return "Arc " + std::to_string(a) + " is a loop whose way does not leave its node.";
-    for(std::size_t i = 0; i + 1 < stops.size(); ++i)
+    int from = stops.front();
+    bool is_first = true;
+    for(std::size_t i = 1; i < stops.size(); ++i)
     {
+      const bool is_last = i + 1 == stops.size();
+      const Arc_router::Sector out = is_first ? sector(d) : Arc_router::Sector();
+      const Arc_router::Sector into = is_last ? sector(d ^ 1) : Arc_router::Sector();
       std::vector<Arc_router::Step> path;
-      const Arc_router::Sector from = i == 0 ? sector(d) : Arc_router::Sector();
-      const Arc_router::Sector into = i + 2 == stops.size() ? sector(d ^ 1) : Arc_router::Sector();
-      if(!m_router.find_path(stops[i], stops[i + 1], from, into, true, path))
-        return obstacle(a, stops[i], stops[i + 1]);
-      if(arc.way.empty() && is_detour(path, stops[i], stops[i + 1]))
-        return "Arc " + std::to_string(a) + " from node " + std::to_string(arc.source) + " to node " +
-               std::to_string(arc.target) +
-               " can only be drawn with a long detour around other arcs: is the orientation of the patches that of the "
-               "mesh?";
-      m_router.draw(path, d);
+      const bool is_found = m_router.find_path(from, stops[i], out, into, true, path);
+      if(is_found && !(arc.way.empty() && is_detour(path, from, stops[i])))
+      {
+        m_router.draw(path, d);
+        from = stops[i];
+        is_first = false;
+      }
+      else if(!is_last && (arc.source != arc.target || !is_first || i + 2 < stops.size()))
+        m_router.release(stops[i]); // a place that other arcs have closed off is left out
+      else
+      {
+        Split_surface::Point_3 place(0, 0, 0);
+        obstacle = obstacle_of(a, from, stops[i], place);
+        const bool has_neighbour = obstacle == -1;
+        if(has_neighbour)
+          obstacle = neighbour_of(is_first ? d : d ^ 1);
+        erase(a);
+        if(is_found)
+          return name + " cannot be drawn but with a long detour around other arcs: is the orientation of the patches "
+                        "that of the mesh?";
+        if(has_neighbour)
+          return name + " cannot be drawn in the order in which the patches lie around its nodes: is their "
+                        "orientation that of the mesh?";
+        return name + " cannot be drawn without crossing arc " + std::to_string(obstacle) + " near " +
+               Embedded_layout::place_name(place) + ".";
+      }
     }
     m_is_drawn[a] = 1;
     return std::string();
+  }
+
+  // Takes an arc from the surface; the vertices that it has made stay.
+  void erase(int a)
+  {
+    const Indexed_triangle_mesh& m = m_e.surface.mesh;
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      if(m_e.surface.direction[h] / 2 == a && m_e.surface.is_on_arc(h))
+      {
+        m_e.surface.direction[h] = -1;
+        m_router.release(m.source(h));
+        m_router.release(m.target(h));
+      }
+    for(int v : m_way[a])
+      m_router.block(v);
+    for(int v : m_e.vertex_of_node)
+      m_router.block(v);
+    m_is_drawn[a] = 0;
   }
 
   // Whether a path is much longer than it would be without other arcs. A layout of the wrong orientation can be drawn,
@@ -253,29 +315,42 @@ private:
            length > largest_detour * m_router.length(free_path);
   }
 
-  // What lies between two vertices that an arc cannot join.
-  std::string obstacle(int a, int from, int to)
+  // The first drawn arc on the short way between two vertices, and where; -1 if there is none.
+  int obstacle_of(int a, int from, int to, Split_surface::Point_3& place)
   {
-    const std::string name = "Arc " + std::to_string(a) + " from node " + std::to_string(m_e.layout.arcs[a].source) +
-                             " to node " + std::to_string(m_e.layout.arcs[a].target);
     std::vector<Arc_router::Step> path;
     if(!m_router.find_path(from, to, Arc_router::Sector(), Arc_router::Sector(), false, path))
-      return name + " has no way on the surface.";
-    const Indexed_triangle_mesh& m = m_e.surface.mesh;
+      return -1;
     for(const Arc_router::Step& s : path)
     {
       int d = -1;
       if(s.vertex == -1)
         d = m_e.surface.direction[s.halfedge];
       else if(s.vertex != from && s.vertex != to)
-        for_each_corner_of_vertex(m, s.vertex, [&](int h) { d = (std::max)(d, m_e.surface.direction[h]); });
-      if(d != -1 && d / 2 != a)
-        return name + " cannot be drawn without crossing arc " + std::to_string(d / 2) + " near " +
-               Embedded_layout::place_name(m_router.point(s)) + ".";
+        for_each_corner_of_vertex(m_e.mesh(), s.vertex, [&](int h) { d = (std::max)(d, m_e.surface.direction[h]); });
+      if(d != -1 && d / 2 != a && may_be_erased(d / 2))
+      {
+        place = m_router.point(s);
+        return d / 2;
+      }
     }
-    return name +
-           " cannot be drawn in the order in which the patches lie around its nodes: is their orientation that of the "
-           "mesh?";
+    return -1;
+  }
+
+  // A drawn arc next to an end of an arc at its node, -1 if there is none.
+  int neighbour_of(int end) const
+  {
+    for(const std::vector<int>* next : { &m_e.topology.previous_end, &m_e.topology.next_end })
+      for(int e = (*next)[end]; e != -1 && e != end; e = (*next)[e])
+        if(e / 2 != end / 2 && may_be_erased(e / 2))
+          return e / 2;
+    return -1;
+  }
+
+  // Border arcs have no other way.
+  bool may_be_erased(int a) const
+  {
+    return m_is_drawn[a] && (m_e.layout.patches.empty() || !m_e.topology.is_border(a));
   }
 
   // The corners between the drawn neighbours of an end of an arc; none if there are no neighbours yet.
