@@ -747,7 +747,7 @@ void base_complexes_are_layouts()
   for(const Layout::Patch& p : cut.patches)
     for(const auto& side : p.sides)
       t_vertices += side.size() - 1;
-  assert(aligned >= 2 && cut.patches.size() >= 4);
+  assert(aligned == 3 && cut.patches.size() == 4);
   const Mesh flat = TM::make_mesh(TM::grid(12, 10, 6, 5));
   Mesh quads;
   const Result on_plate = QM::quadrangulate_layout(flat, cut, quads, params::target_edge_length(0.5));

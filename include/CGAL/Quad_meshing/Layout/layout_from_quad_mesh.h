@@ -60,7 +60,7 @@ Surface_layout layout_from_quad_mesh(const QuadMesh& qm, const NamedParameters& 
  *
  * Its arcs pass through the vertices of the quad mesh, which should lie on the surface on which the layout is drawn
  * later, or very near it. Constrained edges are arcs, too; where a chain of them ends or bends inside a patch, it goes
- * straight on up to the next arc. An arc is aligned if all its edges are constrained.
+ * straight on up to the next arc. An arc is aligned if one of its edges is constrained.
  *
  * \tparam QuadMesh a model of `FaceListGraph`
  * \tparam NamedParameters a sequence of named parameters

@@ -55,13 +55,12 @@ inline Surface_layout layout_of_edges(const Indexed_quad_mesh& m, const std::vec
     layout.arcs.emplace_back();
     Surface_layout::Arc& arc = layout.arcs.back();
     arc.source = node[m.source(start)];
-    arc.is_aligned = true;
     for(int h = start;; h = follow(h))
     {
       arc_of[h] = Surface_layout::Side_arc{ a, true };
       if(m.opposite[h] != -1)
         arc_of[m.opposite[h]] = Surface_layout::Side_arc{ a, false };
-      arc.is_aligned = arc.is_aligned && m.is_feature[h];
+      arc.is_aligned = arc.is_aligned || m.is_feature[h];
       arc.target = node[m.target(h)];
       if(is_node[m.target(h)])
         break;
