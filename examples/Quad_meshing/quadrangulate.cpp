@@ -89,6 +89,8 @@ QM::Flat_json figures(const QM::Quadrangulation_result& r)
   json.set("folded_quads", r.folded_quads);
   json.set("smoothing_seconds", r.smoothing_seconds);
   json.set("structure_seconds", r.structure_seconds);
+  json.set("layout_seconds", r.layout_seconds);
+  json.set("not_semi_regular_components", r.not_semi_regular_components);
   json.set("total_seconds", r.total_seconds);
   return json;
 }
@@ -117,6 +119,7 @@ int main(int argc, char* argv[])
         "rounding", po::value<std::string>()->default_value("greedy"),
         "direct, greedy or lattice: how integers are found")(
         "optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")(
+        "semi-regular", "optimize the structure, then make the quads anew on IN along the base complex")(
         "seed", po::value<long long>()->default_value(0),
         "seed of the edge lengths that are tried when the given one allows no valid map")(
         "threads", po::value<long long>()->default_value(1),
@@ -175,6 +178,7 @@ int main(int argc, char* argv[])
       q.options.allow_refactorization = greedy.has_cholesky;
       q.options.rounding_method = rounding;
       q.options.optimize_structure = args.has("optimize-structure");
+      q.options.semi_regular = args.has("semi-regular");
       q.options.number_of_threads = args.number_of_threads();
       q.options.random_seed = args.random_seed();
 

@@ -43,10 +43,15 @@
 #include <CGAL/Quad_meshing/Layout/Feature_bends.h>
 #include <CGAL/Quad_meshing/Layout/Layout_curves.h>
 #include <CGAL/Quad_meshing/Layout/Layout_distortion.h>
+#include <CGAL/Quad_meshing/Layout/Layout_quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Layout/Layout_quantization.h>
 #include <CGAL/Quad_meshing/Layout/Layout_realization.h>
 #include <CGAL/Quad_meshing/Layout/Layout_weights.h>
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
+#include <CGAL/Quad_meshing/Layout/Surface_layout.h>
+#include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
+#include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
+#include <CGAL/Quad_meshing/Layout/surface_layout_files.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_matrix_view.h>

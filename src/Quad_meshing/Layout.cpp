@@ -9,3 +9,4 @@
 // The kernels of the room Layout.
 
 #include <CGAL/Quad_meshing/Layout/internal/Layout_distortion_impl.h>
+#include <CGAL/Quad_meshing/Layout/internal/quadrangulate_indexed_layout_impl.h>

@@ -196,6 +196,28 @@ void test_optimized_structure()
            1e-12);
 }
 
+// Quads made anew along the base complex: as many patches as the optimized structure has, features kept.
+void test_semi_regular()
+{
+  for(const test_meshes::Soup& soup :
+      { test_meshes::l_prism(6), test_meshes::perturbed(test_meshes::icosphere(3), 0.02, 1) })
+  {
+    const Mesh tm = test_meshes::make_mesh(soup);
+    const auto np = parameters::target_number_of_quads(600.);
+    Mesh optimized, regular;
+    const Result before = QM::quadrangulate(tm, optimized, np.optimize_structure(true));
+    const Result r = QM::quadrangulate(tm, regular, np.semi_regular(true));
+    std::cout << "semi-regular: " << r.message << " " << r.quads << " quads" << std::endl;
+    assert(before.is_valid() && r.is_valid() && r.layout_seconds > 0 && before.layout_seconds == 0);
+    const auto figures = quad_mesh_checks::figures(regular);
+    assert(figures.is_valid() && figures.same_topology(quad_mesh_checks::figures(optimized)));
+    assert(figures.quads == r.quads && figures.irregular_vertices() == r.irregular_vertices);
+    assert(figures.irregular_vertices() == quad_mesh_checks::figures(optimized).irregular_vertices());
+    assert(r.folded_quads <= before.folded_quads);
+    assert(r.not_semi_regular_components == 0 && std::abs(double(r.quads) - 600) <= 0.05 * 600);
+  }
+}
+
 // Of a crease across a square, the edges with an end within the radius of the face are released, and no others.
 void test_release_near_a_face()
 {
@@ -594,6 +616,7 @@ int main(int argc, char** argv)
                      { "second_run", test_second_run },
                      { "directions_and_features_of_the_user", test_directions_and_features_of_the_user },
                      { "optimized_structure", test_optimized_structure },
+                     { "semi_regular", test_semi_regular },
                      { "smoothing_iterations", test_smoothing_iterations },
                      { "release_near_a_face", test_release_near_a_face },
                      { "released_features", test_released_features },

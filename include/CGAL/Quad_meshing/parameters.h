@@ -80,6 +80,8 @@
 //
 // Structure of quad meshes
 //   optimize_structure              bool          whether quadrangulate() makes the base complex coarser; false
+//   semi_regular                    bool          whether quadrangulate() makes the mesh anew on the input along its
+//                                                 base complex, after the optimization of the structure; false
 //   structure_method                Structure_method  how the structure is optimized; LAYOUT
 //   merge_singularities             bool          whether irregular vertices may be merged with each other and moved
 //                                                 onto constrained edges; false
@@ -89,6 +91,14 @@
 //   smooth_globally                 bool          whether smooth_quad_mesh() moves all vertices at once, where they
 //                                                 have to go far; false
 //   operator_step_cost              function object  positive cost of a step of an operator; 1 for every step
+//
+// Layouts
+//   layout_chart                    Layout_chart  the kind of all charts of a layout; AUTOMATIC: what its patches say
+//   arc_alignment                   Arc_alignment  the arcs of a layout that quad edges represent; FEATURES
+//   mean_value_weights              bool          whether a layout is parameterized with mean value weights instead of
+//                                                 discrete harmonic ones; false
+//   least_squares_alignment         bool          whether all equations at aligned arcs hold in the sense of least
+//                                                 squares instead of those along the arcs exactly; false
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -96,6 +106,7 @@
   CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)            \
   CGAL_add_named_parameter(target_number_of_quads_t, target_number_of_quads, target_number_of_quads) \
   CGAL_add_named_parameter(optimize_structure_t, optimize_structure, optimize_structure)            \
+  CGAL_add_named_parameter(semi_regular_t, semi_regular, semi_regular)                              \
   CGAL_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)               \
   CGAL_add_named_parameter(align_boundary_t, align_boundary, align_boundary)                        \
   CGAL_add_named_parameter(rounding_method_t, rounding_method, rounding_method)                     \
@@ -137,6 +148,10 @@
   CGAL_add_named_parameter(smoothing_iterations_t, smoothing_iterations, smoothing_iterations)      \
   CGAL_add_named_parameter(smooth_globally_t, smooth_globally, smooth_globally)                     \
   CGAL_add_named_parameter(operator_step_cost_t, operator_step_cost, operator_step_cost)            \
+  CGAL_add_named_parameter(layout_chart_t, layout_chart, layout_chart)                              \
+  CGAL_add_named_parameter(arc_alignment_t, arc_alignment, arc_alignment)                           \
+  CGAL_add_named_parameter(mean_value_weights_t, mean_value_weights, mean_value_weights)            \
+  CGAL_add_named_parameter(least_squares_alignment_t, least_squares_alignment, least_squares_alignment)\
   CGAL_add_named_parameter(anisotropy_weight_t, anisotropy_weight, anisotropy_weight)
 
 // clang-format on

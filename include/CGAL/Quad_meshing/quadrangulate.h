@@ -161,6 +161,12 @@ mesh
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{semi_regular}
+    \cgalParamDescription{whether the structure is optimized, and the quads are then made anew on the input along the
+                          base complex (`quadrangulate_layout()`): few patches, each of them a smooth grid}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
     \cgalParamDescription{how many threads may work at the same time; the result does not depend on it}
     \cgalParamType{`unsigned int`}
@@ -220,8 +226,9 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
     internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t, internal_np::rounding_method_t,
     internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t, internal_np::optimize_structure_t,
-    internal_np::number_of_threads_t, internal_np::random_seed_t, internal_np::maximum_running_time_t,
-    internal_np::face_location_map_t, internal_np::visitor_t, internal_np::vertex_point_t>::value;
+    internal_np::semi_regular_t, internal_np::number_of_threads_t, internal_np::random_seed_t,
+    internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
+    internal_np::vertex_point_t>::value;
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   constexpr bool has_direction_map =
@@ -263,6 +270,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal::read_parameter(np, internal_np::rounding_method, o.rounding_method);
     internal::read_parameter(np, internal_np::anisotropy_weight, o.anisotropy_weight);
     internal::read_parameter(np, internal_np::optimize_structure, o.optimize_structure);
+    internal::read_parameter(np, internal_np::semi_regular, o.semi_regular);
     internal::read_parameter(np, internal_np::number_of_threads, o.number_of_threads);
     internal::read_parameter(np, internal_np::random_seed, o.random_seed);
     internal::read_parameter(np, internal_np::smoothing_iterations, o.smoothing_iterations);

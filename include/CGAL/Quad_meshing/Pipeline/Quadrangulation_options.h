@@ -45,7 +45,8 @@ struct Quadrangulation_options
   bool work_on_input = false;
   Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen
   double anisotropy_weight = 1;                              ///< the weight of lengths against directions, in (0, 1]
-  bool optimize_structure = false;        ///< whether `optimize_quad_structure()` makes the base complex coarser
+  bool optimize_structure = false; ///< whether `optimize_quad_structure()` makes the base complex coarser
+  bool semi_regular = false; ///< whether the structure is optimized, and the quads made anew along the base complex
   unsigned int smoothing_iterations = 20; ///< largest number of steps of the final smoothing; 0 smooths nothing
   unsigned int number_of_threads = 1;     ///< that may work at the same time; the result does not depend on it
   unsigned int random_seed = 0;           ///< of the plan "other length"

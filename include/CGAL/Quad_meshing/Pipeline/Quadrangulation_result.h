@@ -111,6 +111,9 @@ struct Quadrangulation_result
 
   std::size_t folded_quads = 0; ///< after the smoothing
   double smoothing_seconds = 0;
+  /// Components that were asked to be semi-regular, but kept the quads that the optimization of the structure made.
+  std::size_t not_semi_regular_components = 0;
+  double layout_seconds = 0;    ///< of the quads along the base complex
   double structure_seconds = 0; ///< of the optimization of the structure, its smoothing included
 
   double total_seconds = 0;

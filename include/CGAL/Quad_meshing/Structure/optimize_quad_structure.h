@@ -90,8 +90,8 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  * constrained T-mesh quantization*, Computer Graphics Forum 40(2), 2021). Then each dual curve of the layout is
  * replaced by several parallel ones, so that there are about as many quads as before, or fewer if that gives fewer
  * helices. The layout is chosen by its number of helices, by its number of patches, by how many quads there are and by
- * how much they have to be sheared and stretched. A layout on which the smoothing leaves bad quads is given up for
- * another one; if there is none with good quads, the input stays.
+ * how much they have to be sheared and stretched. A layout on which the smoothing leaves bad quads, or that has more
+ * helices than the input, is given up for another one; if there is none without, the input stays.
  *
  * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest
  * winding number that can be removed with a gain first, in several of its columns and in both directions, one operator
@@ -148,8 +148,8 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  *   \cgalParamNEnd
  *   \cgalParamNBegin{collapse_dual_curves}
  *     \cgalParamDescription{whether, at the end, all dual curves are collapsed that can be, the shortest first. The
- *       result
- *                           is very coarse: as a base mesh, or until a target is reached.}
+ *       result is very coarse: as a base mesh, or until a target is reached. If the base complex is coarser on the way
+ *       than at the end, the mesh on the way is the result.}
  *     \cgalParamType{bool}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd

@@ -11,10 +11,13 @@
 
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
+#include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Working_surface.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/search_component.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
@@ -87,11 +90,13 @@ private:
   {
     if(result.status == Status::VALID && result.other_faces == 0 && !m_visitor.is_time_up())
     {
-      if(m_options.optimize_structure)
+      if(m_options.optimize_structure || m_options.semi_regular)
         optimize();
       else if(m_options.smoothing_iterations != 0)
         smooth();
     }
+    if(m_options.semi_regular && result.status == Status::VALID && !m_visitor.is_time_up())
+      make_semi_regular();
     if(result.status == Status::STOPPED)
       return;
     m_work.locate_on_input(*quads);
@@ -247,6 +252,35 @@ private:
     result.quads = quads->mesh.number_of_faces();
     result.irregular_vertices = optimization.structure_after.number_of_irregular_vertices;
     result.folded_quads = optimization.smoothing.quality_after.number_of_inverted_quads;
+    locate_vertices();
+  }
+
+  // Quads along the base complex, on the input. They replace the others unless more of them are inverted.
+  void make_semi_regular()
+  {
+    Real_timer timer;
+    timer.start();
+    const std::shared_ptr<Quadrangulation_quads> regular = std::make_shared<Quadrangulation_quads>();
+    const double target = m_request.requested_quads > 0 ? m_request.requested_quads : double(result.quads);
+    const Layout_quadrangulation_result made = quadrangulate_layout(
+      m_work.input().mesh,
+      layout_from_base_complex(quads->mesh, parameters::edge_is_constrained_map(quads->is_feature)), regular->mesh,
+      parameters::target_number_of_quads(target)
+        .edge_is_constrained_map(m_work.input().is_feature)
+        .visitor(std::ref(m_visitor)),
+      parameters::edge_is_constrained_map(regular->is_feature));
+    result.layout_seconds = timer.time();
+    if(m_visitor.is_stopped())
+      return stop(made.message);
+    const std::size_t inverted = quad_mesh_quality(regular->mesh).number_of_inverted_quads;
+    if(!made.is_valid() || inverted > result.folded_quads)
+    {
+      result.not_semi_regular_components = 1;
+      return;
+    }
+    quads = regular;
+    result.quads = made.quads;
+    result.folded_quads = inverted;
     locate_vertices();
   }
 

@@ -272,6 +272,8 @@ private:
     m_result.folded_quads += r.folded_quads;
     m_result.smoothing_seconds += r.smoothing_seconds;
     m_result.structure_seconds += r.structure_seconds;
+    m_result.not_semi_regular_components += r.not_semi_regular_components;
+    m_result.layout_seconds += r.layout_seconds;
   }
 
   void find_invalid_components()
@@ -320,6 +322,10 @@ private:
       m_result.message += "; " + std::to_string(m_result.refined_components) +
                           (m_result.refined_components == 1 ? " small component has" : " small components have") +
                           " smaller quads";
+    if(m_result.not_semi_regular_components != 0)
+      m_result.message += "; " + std::to_string(m_result.not_semi_regular_components) +
+                          (m_result.not_semi_regular_components == 1 ? " component was" : " components were") +
+                          " not made anew along the base complex, which gave no better quads";
     if(m_result.divided_vertices != 0)
       m_result.message += "; " + std::to_string(m_result.divided_vertices) +
                           (m_result.divided_vertices == 1 ? " vertex in which borders touch was"
@@ -335,8 +341,9 @@ private:
         std::to_string(std::lround(m_options.target_number_of_quads)) +
         (quads > m_options.target_number_of_quads
            ? ", as narrow places between features, borders and singularities need at least a quad each"
-         : m_options.optimize_structure ? ", as the coarser structure has room for no more"
-                                        : ", as rounding to whole quads found no number nearer to it");
+         : m_options.optimize_structure || m_options.semi_regular
+           ? ", as the coarser structure has room for no more"
+           : ", as rounding to whole quads found no number nearer to it");
   }
 
   static std::string without_period(std::string sentence)

@@ -28,8 +28,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is
-// accepted after smoothing; if the shape of none is, the mesh stays as it is. `smooth(state, sweeps)` smooths and
-// returns what has been done.
+// accepted after smoothing, and that have not more helices than the input; if there is none, the mesh stays as it is.
+// `smooth(state, sweeps)` smooths and returns what has been done.
 template <typename Smooth>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
                      const Smooth& smooth, Any_visitor& visitor)
@@ -52,6 +52,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   Watched_visitor searching(visitor, search_share * options.maximum_running_time);
   layout.search(attempts, searching);
 
+  const int most_helices = optimizer.score().helices;
   Structure_state best, candidate;
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
@@ -62,7 +63,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
     const Structure_optimizer::Score score = Structure_optimizer::score_of(candidate.mesh);
     const Quad_mesh_smoothing_result shape = smooth(candidate, options.smoothing_iterations);
     const Layout_goals::Reached reached = layout.goals().reached(score.helices, score.patches, shape.quality_after);
-    const bool is_accepted = accepted.accepts(shape);
+    const bool is_accepted = score.helices <= most_helices && accepted.accepts(shape);
     if(is_accepted && reached.price < least_price)
     {
       least_price = reached.price;
@@ -113,16 +114,31 @@ void remove_helices(Structure_optimizer& optimizer, Watch& watch, const TargetRe
         optimizer.forget_failures() && visitor.go_further());
 }
 
-// Collapses dual curves. If the shape is not accepted in the end, the last ones are taken back.
+// Collapses dual curves. If the shape is not accepted in the end, the last ones are taken back; and if the base complex
+// has become finer than it was on the way, the mesh with the coarsest one is.
 template <typename Watch, typename TargetReached>
 void collapse_dual_curves(Structure_optimizer& optimizer, Watch& watch, const TargetReached& target_reached,
                           Any_visitor& visitor)
 {
   auto go_further = [&] { return visitor.go_further(); };
+  // as coarse and with fewer quads is better, too
+  Structure_state coarsest = optimizer.state;
+  int least_patches = optimizer.score().patches;
   while(!target_reached() && visitor.go_further() && optimizer.collapse_next_dual_curve(go_further))
-    watch.accepts_next();
+    if(watch.accepts_next() && optimizer.score().patches <= least_patches)
+    {
+      least_patches = optimizer.score().patches;
+      coarsest = optimizer.state;
+    }
   if(!watch.accepts())
     watch.undo();
+  if(optimizer.score().patches > least_patches && !target_reached())
+  {
+    const Structure_state last = optimizer.state;
+    optimizer.set_state(std::move(coarsest));
+    if(!watch.accepts_next() || !watch.accepts())
+      optimizer.set_state(last);
+  }
 }
 
 } // namespace internal
