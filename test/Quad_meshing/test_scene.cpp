@@ -503,8 +503,8 @@ void test_vtk()
   assert(line == "two_faces");
   std::string word;
   std::size_t n = 0, m = 0;
-  is >> word >> word >> word; // ASCII DATASET POLYDATA
-  assert(word == "POLYDATA");
+  is >> word >> word >> word; // ASCII DATASET UNSTRUCTURED_GRID
+  assert(word == "UNSTRUCTURED_GRID");
   is >> word >> n >> word;
   assert(n == 6 && word == "double");
   for(std::size_t i = 0; i < 18; ++i)
@@ -514,8 +514,15 @@ void test_vtk()
     assert(x == small_scene().layers[0].points[i / 3][i % 3]);
   }
   is >> word >> n >> m;
-  assert(word == "POLYGONS" && n == 2 && m == 9);
+  assert(word == "CELLS" && n == 2 && m == 9);
   for(std::size_t expected : { 4, 0, 2, 3, 1, 3, 2, 4, 5 })
+  {
+    is >> n;
+    assert(n == expected);
+  }
+  is >> word >> n;
+  assert(word == "CELL_TYPES" && n == 2);
+  for(std::size_t expected : { 9, 5 }) // a quad and a triangle
   {
     is >> n;
     assert(n == expected);

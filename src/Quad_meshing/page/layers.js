@@ -33,10 +33,10 @@ void main()
   vec3 color = v_color;
   if(has_grid)
   {
-    // Lines of the integer grid, about two pixels wide, which fade where the cells are smaller than that.
+    // Lines of the integer grid, about a pixel wide, which fade where the cells are smaller than that.
     vec2 pixel = max(fwidth(v_grid), vec2(1e-6));
     vec2 away = abs(fract(v_grid + 0.5) - 0.5) / pixel;
-    float line = 1.0 - smoothstep(0.6, 1.6, min(away.x, away.y));
+    float line = 1.0 - smoothstep(0.2, 1.2, min(away.x, away.y));
     vec2 cell = mod(floor(v_grid), 2.0);
     color *= abs(cell.x - cell.y) > 0.5 ? 0.86 : 1.0;
     color = mix(color, vec3(0.05, 0.15, 0.35), line * clamp(0.5 / max(pixel.x, pixel.y), 0.0, 1.0));

@@ -31,6 +31,19 @@ inline std::string vtk_name(std::string name)
   return name.empty() ? "numbers" : name.substr(0, 255);
 }
 
+// The number that the format has for a kind of cell.
+inline int vtk_cell_type(Scene_layer_kind kind, std::size_t number_of_corners)
+{
+  constexpr int vertex = 1, poly_vertex = 2, line = 3, poly_line = 4, triangle = 5, polygon = 7, quad = 9;
+  switch(kind)
+  {
+    case Scene_layer_kind::FACES: return number_of_corners == 3 ? triangle : number_of_corners == 4 ? quad : polygon;
+    case Scene_layer_kind::LINES: return number_of_corners == 2 ? line : poly_line;
+    case Scene_layer_kind::POINTS: break;
+  }
+  return number_of_corners == 1 ? vertex : poly_vertex;
+}
+
 } // namespace internal
 
 CGAL_QUAD_MESHING_INLINE Scene_writing_result write_vtk(std::ostream& os, const Scene_layer& layer)
@@ -40,13 +53,12 @@ CGAL_QUAD_MESHING_INLINE Scene_writing_result write_vtk(std::ostream& os, const 
   Scene_writing_result result = internal::check_scene(scene);
   if(!result.is_valid())
     return result;
-  static const char* const kinds[] = { "POLYGONS", "LINES", "VERTICES" };
   os << "# vtk DataFile Version 3.0\n"
-     << internal::vtk_name(layer.name) << "\nASCII\nDATASET POLYDATA\nPOINTS " << layer.points.size() << " double\n";
+     << internal::vtk_name(layer.name) << "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << layer.points.size()
+     << " double\n";
   for(const std::array<double, 3>& p : layer.points)
     os << p[0] << " " << p[1] << " " << p[2] << "\n";
-  os << kinds[static_cast<int>(layer.kind)] << " " << layer.size() << " " << layer.size() + layer.corners.size()
-     << "\n";
+  os << "CELLS " << layer.size() << " " << layer.size() + layer.corners.size() << "\n";
   for(std::size_t e = 0; e < layer.size(); ++e)
   {
     os << layer.first_corner[e + 1] - layer.first_corner[e];
@@ -54,6 +66,9 @@ CGAL_QUAD_MESHING_INLINE Scene_writing_result write_vtk(std::ostream& os, const 
       os << " " << layer.corners[c];
     os << "\n";
   }
+  os << "CELL_TYPES " << layer.size() << "\n";
+  for(std::size_t e = 0; e < layer.size(); ++e)
+    os << internal::vtk_cell_type(layer.kind, layer.first_corner[e + 1] - layer.first_corner[e]) << "\n";
   if(!layer.numbers.empty())
     os << "CELL_DATA " << layer.size() << "\n";
   for(const Scene_numbers& numbers : layer.numbers)
