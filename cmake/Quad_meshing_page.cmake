@@ -56,9 +56,9 @@ namespace Quad_meshing {
 namespace internal {
 
 // What stands in a page before and behind the scene.
-static const char* const page_before_scene[] = {
+inline const char* const page_before_scene[] = {
 @before@};
-static const char* const page_behind_scene[] = {
+inline const char* const page_behind_scene[] = {
 @behind@};
 
 } // namespace internal

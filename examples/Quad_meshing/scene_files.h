@@ -30,7 +30,9 @@ inline void add_scene_options(po::options_description& options)
   options.add_options()("html", po::value<std::string>(),
                         "HTML file that shows the result in three dimensions, without network")(
     "picture", po::value<std::string>(), "PNG file with a picture of the result, 640 x 480")(
-    "vtk", po::value<std::string>(), "VTK file with the faces of the result and their measures as data of the cells");
+    "vtk", po::value<std::string>(), "VTK file with the faces of the result and their measures as data of the cells")(
+    "color-by", po::value<std::string>(),
+    "what colors the faces of page and picture: a name in the page, or its beginning, as patch or scaled");
 }
 
 inline bool shows_scene(const Arguments& args) { return args.has("html") || args.has("picture") || args.has("vtk"); }
@@ -68,6 +70,27 @@ inline CGAL::Quad_meshing::Scene_writing_result write_faces(std::ostream& os, co
   return CGAL::Quad_meshing::write_vtk(os, faces == scene.layers.rend() ? CGAL::Quad_meshing::Scene_layer() : *faces);
 }
 
+// Colors all faces that have numbers of that name, or one that begins so. A run that failed may have none: the error is
+// said, and the files are written.
+inline void color_faces(const std::string& name, CGAL::Quad_meshing::Scene& scene)
+{
+  bool is_found = false;
+  std::string names;
+  for(CGAL::Quad_meshing::Scene_layer& layer : scene.layers)
+    for(std::size_t i = 0; layer.kind == CGAL::Quad_meshing::Scene_layer_kind::FACES && i < layer.numbers.size(); ++i)
+    {
+      names += (names.empty() ? "'" : ", '") + layer.numbers[i].name + "'";
+      if(layer.numbers[i].name.compare(0, name.size(), name) != 0)
+        continue;
+      layer.colored_by = static_cast<int>(i);
+      is_found = true;
+      break;
+    }
+  if(!is_found)
+    std::cerr << "--color-by: nothing is called '" << name << "'; there are " << (names.empty() ? "no numbers" : names)
+              << "\n";
+}
+
 // Writes the files. `scene` has layers and a message; figures, options and title are put in.
 inline void write_scene_files(const Arguments& args, const CGAL::Quad_meshing::Flat_json& figures,
                               CGAL::Quad_meshing::Scene& scene)
@@ -79,6 +102,8 @@ inline void write_scene_files(const Arguments& args, const CGAL::Quad_meshing::F
     if(member.first != "message")
       scene.figures.push_back(member);
   scene.options = args.values();
+  if(args.has("color-by"))
+    color_faces(args.value<std::string>("color-by"), scene);
   for(const std::string option : { "html", "picture", "vtk" })
     if(args.has(option))
     {

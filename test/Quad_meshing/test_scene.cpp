@@ -456,22 +456,23 @@ void test_picture()
   { return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]) < 10; };
   assert(near(pixel(QM::Scene_side::BOTH, column, row), red));
   assert(near(pixel(QM::Scene_side::LEFT, column, row), green));
-  assert(near(pixel(QM::Scene_side::BOTH, column + 15, row), green));
-  assert(pixel(QM::Scene_side::RIGHT, column + 15, row) == white && pixel(QM::Scene_side::BOTH, 0, 0) == white);
-  // the ends of the squares, for an angle of view of 35 degrees
+  assert(near(pixel(QM::Scene_side::BOTH, column + 45, row), green));
+  assert(pixel(QM::Scene_side::BOTH, 0, 0) == white);
+  // The larger square fills the height; the smaller one has half its size, and is nearer.
   const double distance = 1.1 / std::sin(35 * CGAL_PI / 360) * 3 * std::sqrt(3.);
-  for(int i = 0; i < 2; ++i)
+  const double large = 0.94 * height / 2, small = large / 2 * (distance + 1) / (distance - 1);
+  for(double sign : { -1., 1. })
   {
-    const double half = height / 2. / std::tan(35 * CGAL_PI / 360) * (i + 1) / (distance + (i == 0 ? -1 : 1));
-    const QM::Scene_side side = i == 0 ? QM::Scene_side::RIGHT : QM::Scene_side::LEFT;
-    for(double end : { -half, half })
-    {
-      const double inside = end - std::copysign(1.5, end), outside = end + std::copysign(1.5, end);
-      assert(pixel(side, static_cast<std::size_t>(width / 2. + inside), row) != white);
-      assert(pixel(side, static_cast<std::size_t>(width / 2. + outside), row) == white);
-      assert(pixel(side, column, static_cast<std::size_t>(height / 2. + inside)) != white);
-      assert(pixel(side, column, static_cast<std::size_t>(height / 2. + outside)) == white);
-    }
+    const auto at = [](std::size_t size, double offset) { return static_cast<std::size_t>(size / 2. + offset); };
+    const auto is_red = [&](std::size_t x, std::size_t y) { return near(pixel(QM::Scene_side::BOTH, x, y), red); };
+    assert(near(pixel(QM::Scene_side::BOTH, at(width, sign * (large - 2)), row), green));
+    assert(near(pixel(QM::Scene_side::BOTH, column, at(height, sign * (large - 2))), green));
+    assert(pixel(QM::Scene_side::BOTH, at(width, sign * (large + 2)), row) == white);
+    assert(pixel(QM::Scene_side::BOTH, column, at(height, sign * (large + 2))) == white);
+    assert(is_red(at(width, sign * (small - 2)), row) && !is_red(at(width, sign * (small + 2)), row));
+    assert(is_red(column, at(height, sign * (small - 2))) && !is_red(column, at(height, sign * (small + 2))));
+    // alone it fills the height, too
+    assert(near(pixel(QM::Scene_side::RIGHT, at(width, sign * (large - 2)), row), red));
   }
   scene.layers[0].corners[0] = 9;
   std::ostringstream os;

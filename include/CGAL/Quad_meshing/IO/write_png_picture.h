@@ -33,8 +33,8 @@ struct Png_picture_options
 /*!
 \ingroup PkgQuadMeshingIORef
 
-\brief writes a picture of the visible layers of a scene in the format PNG, as a page of `write_html_page()` shows them
-at first.
+\brief writes a picture of the visible layers of a scene in the format PNG, from the side from which a page of
+`write_html_page()` shows them at first. They fill the picture.
 
 It is drawn in software: no display, no browser and no library is needed. An integer grid is drawn as a chessboard.
 

@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Draws the visible layers of a scene as a page does at first: the same camera, light and colors. The depth of every
-// pixel decides what hides what; there are four samples for each pixel.
+// Draws the visible layers of a scene as a page does at first, with the same light and colors and from the same side,
+// but so that they fill the picture. The depth of every pixel decides what hides what; there are four samples for each
+// pixel.
 class Scene_rasterizer
 {
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
@@ -48,7 +49,8 @@ class Scene_rasterizer
   std::vector<double> m_depth;
   std::vector<Scene_color> m_color;
   Vector_3 m_right, m_up, m_back;
-  double m_distance, m_scale;
+  double m_distance;
+  double m_scale = 1, m_x = 0, m_y = 0; // of a picture at distance 1: samples per unit, place of its origin
 
 public:
   Scene_rasterizer(int width, int height)
@@ -57,7 +59,7 @@ public:
     , m_depth(static_cast<std::size_t>(m_width) * m_height, (std::numeric_limits<double>::infinity)())
     , m_color(m_depth.size(), Scene_color{ { 1, 1, 1 } })
   {
-    // as resetView() of view.js; a picture that is higher than wide must not cut the model
+    // as resetView() of view.js
     const double half_angle = 35 * CGAL_PI / 360;
     m_back = Vector_3(0.55, 0.45, 0.75);
     m_back = m_back / std::sqrt(m_back.squared_length());
@@ -65,15 +67,22 @@ public:
     m_right = m_right / std::sqrt(m_right.squared_length());
     m_up = cross_product(m_back, m_right);
     m_distance = 1.1 / std::sin(half_angle);
-    m_scale = (std::min)(m_width, m_height) / 2. / std::tan(half_angle);
   }
 
   void draw(const Scene& scene, Scene_side side)
   {
     const Scene_box box(scene);
+    std::vector<const Scene_layer*> layers;
+    std::vector<std::vector<Vector_3>> points;
     for(const Scene_layer& layer : scene.layers)
       if(layer.is_visible && (layer.side == Scene_side::BOTH || side == Scene_side::BOTH || layer.side == side))
-        draw(layer, box);
+      {
+        layers.push_back(&layer);
+        points.push_back(scaled_points(layer, box));
+      }
+    fit(points);
+    for(std::size_t i = 0; i < layers.size(); ++i)
+      draw(*layers[i], points[i]);
   }
 
   std::vector<Png_encoder::Pixel> pixels() const
@@ -99,12 +108,42 @@ public:
 private:
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * m_width + x; }
 
-  void draw(const Scene_layer& layer, const Scene_box& box)
+  static std::vector<Vector_3> scaled_points(const Scene_layer& layer, const Scene_box& box)
   {
     std::vector<Vector_3> points;
     for(const std::array<double, 3>& p : layer.points)
       points.emplace_back((p[0] - box.center(0)) / box.radius(), (p[1] - box.center(1)) / box.radius(),
                           (p[2] - box.center(2)) / box.radius());
+    return points;
+  }
+
+  // Makes the points fill the picture but for a margin.
+  void fit(const std::vector<std::vector<Vector_3>>& points)
+  {
+    constexpr double filled_share = 0.94;
+    const double infinity = (std::numeric_limits<double>::infinity)();
+    double low_x = infinity, high_x = -infinity, low_y = infinity, high_y = -infinity;
+    for(const std::vector<Vector_3>& of_layer : points)
+      for(const Vector_3& p : of_layer)
+      {
+        const Seen s = seen(p);
+        low_x = (std::min)(low_x, s.x);
+        high_x = (std::max)(high_x, s.x);
+        low_y = (std::min)(low_y, s.y);
+        high_y = (std::max)(high_y, s.y);
+      }
+    if(!(low_x <= high_x))
+      return;
+    // a single point has no size
+    const double smallest_size = 1e-9;
+    m_scale = filled_share * (std::min)(m_width / (std::max)(high_x - low_x, smallest_size),
+                                        m_height / (std::max)(high_y - low_y, smallest_size));
+    m_x = m_width / 2. - m_scale * (low_x + high_x) / 2;
+    m_y = m_height / 2. - m_scale * (low_y + high_y) / 2;
+  }
+
+  void draw(const Scene_layer& layer, const std::vector<Vector_3>& points)
+  {
     const Scene_colors color(layer);
     for(std::size_t e = 0; e < layer.size(); ++e)
     {
@@ -122,8 +161,7 @@ private:
   Seen seen(const Vector_3& p, double share = 1) const
   {
     const double depth = m_distance - p * m_back;
-    return { m_width / 2. + m_scale * (p * m_right) / depth, m_height / 2. - m_scale * (p * m_up) / depth,
-             share * depth };
+    return { m_x + m_scale * (p * m_right) / depth, m_y - m_scale * (p * m_up) / depth, share * depth };
   }
 
   void put(int x, int y, double depth, const Scene_color& color)
