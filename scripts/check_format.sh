@@ -24,10 +24,10 @@ else
   mode="--dry-run --Werror"
 fi
 # shellcheck disable=SC2086
-find include src examples benchmark test \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find include src examples benchmark python test \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 "$program" $mode
 # clang-format leaves comments alone.
-if find include src examples benchmark test \( -name '*.h' -o -name '*.cpp' \) -exec awk 'length > 120 {
+if find include src examples benchmark python test \( -name '*.h' -o -name '*.cpp' \) -exec awk 'length > 120 {
   print FILENAME ":" FNR ": more than 120 columns"; found = 1 } END { exit !found }' {} +; then
   exit 1
 fi

@@ -3,7 +3,7 @@
 # Usage: scripts/install_packages.sh [PACKAGE...]
 set -eu
 
-packages="cmake ninja-build g++ ccache libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev libsuitesparse-dev $*"
+packages="cmake ninja-build g++ ccache libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev libsuitesparse-dev libjs-three $*"
 
 missing=""
 for package in $packages; do

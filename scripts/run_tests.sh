@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 preset=${1:-tests}
 jobs=${JOBS:-2}
 
-"$root/scripts/install_packages.sh" clang-format python3-minimal
+"$root/scripts/install_packages.sh" clang-format python3-dev pybind11-dev python3-numpy python3-pytest parallel chromium
 cd "$root"
 if [ ! -d "build/$preset" ] && command -v ninja >/dev/null; then
   export CMAKE_GENERATOR=Ninja

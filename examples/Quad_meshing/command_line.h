@@ -40,6 +40,7 @@
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/boost/graph/IO/PLY.h>
 
+#include <boost/any.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -278,6 +279,27 @@ public:
   // Whether an option of the kind --option on/off is on.
   bool is_on(const std::string& option) const { return choice(option, { "off", "on" }) == 1; }
 
+  // All options with their values, those that have none left away.
+  std::vector<std::pair<std::string, std::string>> values() const
+  {
+    std::vector<std::pair<std::string, std::string>> list;
+    for(const auto& v : m_values)
+    {
+      const boost::any& any = v.second.value();
+      if(const auto* word = boost::any_cast<std::string>(&any))
+        list.emplace_back(v.first, *word);
+      else if(const auto* number = boost::any_cast<double>(&any))
+        list.emplace_back(v.first, text(*number));
+      else if(const auto* whole = boost::any_cast<long long>(&any))
+        list.emplace_back(v.first, std::to_string(*whole));
+      else if(const auto* is_on = boost::any_cast<bool>(&any))
+        list.emplace_back(v.first, *is_on ? "on" : "off");
+      else if(any.empty())
+        list.emplace_back(v.first, "on");
+    }
+    return list;
+  }
+
 private:
   static std::string text(double x)
   {
@@ -400,14 +422,18 @@ inline void check_output(const std::string& filename, const std::vector<std::str
 // The same for `write_mesh()`, which must know the format.
 inline void check_mesh_output(const std::string& filename) { check_output(filename, { "off", "obj", "ply" }); }
 
-// Writes a mesh in the format that the extension names, with numbers that read back as they are.
+// The digits of numbers in files that read back as they are.
+constexpr int all_digits = std::numeric_limits<double>::max_digits10;
+
+// Writes a mesh in the format that the extension names.
 template <typename Mesh>
-void write_mesh(const std::string& filename, const Mesh& mesh)
+void write_mesh(const std::string& filename, const Mesh& mesh, int digits = all_digits)
 {
   const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
   check_mesh_output(filename);
   std::ofstream out = open_output(filename);
-  const auto np = CGAL::parameters::stream_precision(17);
+  out.precision(digits);
+  const auto np = CGAL::parameters::stream_precision(digits);
   const bool written = extension == "off"   ? CGAL::IO::write_OFF(out, mesh, np)
                        : extension == "obj" ? CGAL::IO::write_OBJ(out, mesh, np)
                                             : CGAL::IO::write_PLY(out, mesh, np);

@@ -9,11 +9,13 @@
 // Computes the geodesic distance on a triangle mesh from vertices, points, polylines, sharp edges and the border.
 
 #include "command_line.h"
+#include "scene_files.h"
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
 #include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
+#include <CGAL/Quad_meshing/IO/scene_layers.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -277,18 +279,32 @@ void write_distances(const std::string& filename, const Mesh& tm,
     throw Unusable_input(filename + ": writing failed");
 }
 
-// Writes the isolines of all multiples of `spacing`, each as points in lines and an empty line. Returns their number.
+// The isolines of all multiples of `spacing`, and their values.
+struct Isolines
+{
+  std::vector<std::vector<Point_3>> polylines;
+  std::vector<double> values;
+};
+
 template <typename DistanceMap>
-std::size_t write_isolines(const std::string& filename, const Mesh& tm, const DistanceMap& distances, double spacing,
-                           double maximum)
+Isolines trace_isolines(const Mesh& tm, const DistanceMap& distances, double spacing, double maximum)
 {
   const double most_values = 1e6;
   if(maximum > most_values * spacing)
     throw Unusable_input("--isolines: more than a million lines up to the largest distance, " +
                          std::to_string(maximum));
-  std::vector<std::vector<Point_3>> polylines;
+  Isolines isolines;
   for(double k = 1; k * spacing < maximum; ++k)
-    QM::trace_isolines(tm, distances, k * spacing, std::back_inserter(polylines));
+  {
+    QM::trace_isolines(tm, distances, k * spacing, std::back_inserter(isolines.polylines));
+    isolines.values.resize(isolines.polylines.size(), k * spacing);
+  }
+  return isolines;
+}
+
+// Writes isolines, each as points in lines and an empty line.
+void write_polylines(const std::string& filename, const std::vector<std::vector<Point_3>>& polylines)
+{
   std::ofstream os = command_line::open_output(filename);
   for(const auto& polyline : polylines)
   {
@@ -299,7 +315,50 @@ std::size_t write_isolines(const std::string& filename, const Mesh& tm, const Di
   os.close();
   if(!os)
     throw Unusable_input(filename + ": writing failed");
-  return polylines.size();
+}
+
+// What the page shows: the faces by the mean distance of their corners, and isolines, which follow the spacing that was
+// asked for or divide the largest distance.
+template <typename DistanceMap>
+void write_page(const command_line::Arguments& args, const QM::Flat_json& figures, const Mesh& tm,
+                const DistanceMap& distance, double maximum, const std::vector<std::vector<Point_3>>& paths)
+{
+  constexpr double number_of_isolines = 25;
+  QM::Scene scene;
+  scene.message = "Geodesic distances.";
+  scene.layers.push_back(QM::make_display_layer(tm, "triangles", "Distances", scene));
+  QM::Scene_layer& triangles = scene.layers.back();
+  triangles.has_sides = false;
+  if(triangles.size() == tm.number_of_faces())
+  {
+    QM::Scene_numbers mean;
+    mean.name = "mean distance of the corners";
+    for(Mesh::Face_index f : tm.faces())
+    {
+      mean.values.push_back(0);
+      for(Mesh::Vertex_index v : tm.vertices_around_face(tm.halfedge(f)))
+        mean.values.back() += distance[v] / 3;
+    }
+    triangles.numbers.push_back(mean);
+    triangles.colored_by = 0;
+  }
+  const double spacing = args.has("isolines") ? args.value<double>("isolines") : maximum / number_of_isolines;
+  if(spacing > 0)
+  {
+    const Isolines isolines = trace_isolines(tm, distance, spacing, maximum);
+    scene.layers.push_back(QM::make_polylines_layer(isolines.polylines, "isolines", "Distances"));
+    QM::Scene_numbers value;
+    value.name = "distance";
+    value.values = isolines.values;
+    scene.layers.back().numbers.push_back(value);
+    scene.layers.back().color = "#101010";
+  }
+  if(!paths.empty())
+  {
+    scene.layers.push_back(QM::make_polylines_layer(paths, "shortest paths", "Distances"));
+    scene.layers.back().color = "#c02020";
+  }
+  command_line::write_scene_files(args, figures, scene);
 }
 
 std::string status_word(QM::Geodesic_distance_status status, std::size_t unreached)
@@ -330,6 +389,7 @@ int distances(int argc, char* argv[])
     "paths-from", po::value<std::string>(), "file with points from which shortest paths are traced")(
     "paths-out", po::value<std::string>(), "file for these paths as polylines; default: OUT.paths.txt")(
     "json", po::value<std::string>(), "file for the figures");
+  command_line::add_scene_options(options);
   command_line::Arguments args(
     "geodesic_distance",
     "Computes the geodesic distance from sources on a triangle mesh. OUT is a .txt file with one "
@@ -345,6 +405,7 @@ int distances(int argc, char* argv[])
     throw Unusable_input(out + ": a refined mesh needs the format ply");
   if(args.has("isolines"))
     args.positive_number("isolines");
+  command_line::check_scene_files(args);
   const bool vertices_only = args.has("vertices-only");
   for(const char* option : { "refine", "paths-from", "certified" })
     if(vertices_only && args.has(option))
@@ -419,19 +480,19 @@ int distances(int argc, char* argv[])
     json.set("enclosure_width", certificate.largest_relative_width);
     json.set("largest_enclosure_width", certificate.largest_width);
   }
+  std::vector<std::vector<Point_3>> paths;
   if(args.has("paths-from"))
   {
-    const std::string filename = args.has("paths-out") ? args.value<std::string>("paths-out") : out + ".paths.txt";
-    std::ofstream paths = command_line::open_output(filename);
     for(const auto& part : read_polylines(args.value<std::string>("paths-from")))
       for(const Point_3& p : part)
       {
         std::vector<Location> path;
         field.shortest_path(locate()(p), std::back_inserter(path));
+        paths.emplace_back();
         for(const Location& l : path)
-          paths << point(tm, l) << "\n";
-        paths << "\n";
+          paths.back().push_back(point(tm, l));
       }
+    write_polylines(args.has("paths-out") ? args.value<std::string>("paths-out") : out + ".paths.txt", paths);
   }
 
   Mesh refined;
@@ -459,15 +520,18 @@ int distances(int argc, char* argv[])
     write_distances_of_file(out, file_vertices, distance);
   if(args.has("isolines"))
   {
-    const std::string filename =
-      args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt";
-    json.set("isolines",
-             write_isolines(filename, *result_mesh, distance, args.value<double>("isolines"), result.maximum_distance));
+    const Isolines isolines =
+      trace_isolines(*result_mesh, distance, args.value<double>("isolines"), result.maximum_distance);
+    write_polylines(args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt",
+                    isolines.polylines);
+    json.set("isolines", isolines.polylines.size());
   }
 
   json.set("total_seconds", timer.time());
   if(args.has("json"))
     command_line::write_json(args.value<std::string>("json"), json);
+  if(command_line::shows_scene(args))
+    write_page(args, json, *result_mesh, distance, result.maximum_distance, paths);
   return is_valid ? command_line::done : command_line::not_valid;
 }
 

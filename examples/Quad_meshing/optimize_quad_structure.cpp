@@ -9,8 +9,11 @@
 // Makes the base complex of a quad mesh coarser, and smooths the mesh.
 
 #include "command_line.h"
+#include "quad_mesh_files.h"
+#include "scene_files.h"
 
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
@@ -92,6 +95,28 @@ std::size_t detect_sharp_edges(const Mesh& qm, double sharp_angle, double edge_l
   return found.number_of_dropped_edges;
 }
 
+// The mesh before is drawn at the left.
+void add_quads_before(QM::Scene& scene, const Mesh& qm)
+{
+  QM::add_quad_mesh_layers(scene, qm, "Before");
+  for(QM::Scene_layer& layer : scene.layers)
+    layer.side = QM::Scene_side::LEFT;
+  scene.is_side_by_side = true;
+}
+
+// Patches are what changes: they color the quads.
+void show_base_complexes(QM::Scene& scene)
+{
+  for(QM::Scene_layer& layer : scene.layers)
+  {
+    layer.is_visible = true;
+    if(layer.kind == QM::Scene_layer_kind::FACES)
+      for(std::size_t i = 0; i < layer.numbers.size(); ++i)
+        if(layer.numbers[i].scale == QM::Scene_color_scale::CATEGORIES)
+          layer.colored_by = static_cast<int>(i);
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -114,6 +139,8 @@ int main(int argc, char* argv[])
                  "largest number of quads (0 = as many as IN; 1 = the layout itself)")(
         "target-patches", po::value<long long>()->default_value(0), "largest size of the base complex (0 = no target)")(
         "json", po::value<std::string>(), "file for the figures as one flat JSON object");
+      command_line::add_scene_options(options);
+      command_line::add_quad_mesh_options(options);
       command_line::Arguments args("optimize_quad_structure",
                                    "makes the base complex of the quad mesh IN coarser and writes OUT", { "IN", "OUT" },
                                    options);
@@ -129,6 +156,11 @@ int main(int argc, char* argv[])
                                             : QM::Structure_method::HELICES;
       Mesh qm = read_quad_mesh(args.positional(0));
       command_line::check_mesh_output(args.positional(1));
+      command_line::check_scene_files(args);
+      const int digits = command_line::check_quad_mesh_options(args);
+      QM::Scene scene;
+      if(command_line::shows_scene(args))
+        add_quads_before(scene, qm);
       auto is_sharp = qm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
       const QM::Quad_mesh_quality quality_before = QM::quad_mesh_quality(qm);
       if(!(quality_before.area > 0))
@@ -164,7 +196,9 @@ int main(int argc, char* argv[])
           ? QM::optimize_quad_structure(qm, tm, np, CGAL::parameters::edge_is_constrained_map(is_sharp_in_reference))
           : QM::optimize_quad_structure(qm, np);
 
-      command_line::write_mesh(args.positional(1), qm);
+      qm.collect_garbage();
+      command_line::write_mesh(args.positional(1), qm, digits);
+      command_line::write_patches(args, qm, digits);
       const std::size_t inverted = result.smoothing.quality_after.number_of_inverted_quads;
       const bool is_optimized = result.status == QM::Quad_mesh_status::SUCCESS;
       const bool valid = is_optimized && inverted == 0;
@@ -199,6 +233,13 @@ int main(int argc, char* argv[])
       json.set("seconds", timer.time());
       if(args.has("json"))
         command_line::write_json(args.value<std::string>("json"), json);
+      if(command_line::shows_scene(args))
+      {
+        scene.message = result.message;
+        QM::add_quad_mesh_layers(scene, qm, "After");
+        show_base_complexes(scene);
+        command_line::write_scene_files(args, json, scene);
+      }
       return static_cast<int>(valid ? command_line::done : command_line::not_valid);
     });
 }

@@ -10,7 +10,9 @@
 // represents the triangle mesh that it stands for.
 
 #include "command_line.h"
+#include "scene_files.h"
 
+#include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
@@ -145,9 +147,8 @@ void report_quality(const Mesh& qm, Report& r, int number_of_worst)
   r.add("worst_quads", worst, "quads of smallest scaled Jacobian");
 }
 
-void report_deviation(const Mesh& qm, const std::string& filename, double sharp_angle, Report& r)
+void report_deviation(const Mesh& qm, Mesh& tm, double sharp_angle, Report& r)
 {
-  Mesh tm = command_line::read_mesh<Mesh>(filename);
   auto is_sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   if(sharp_angle < 180)
     PMP::detect_sharp_edges(tm, sharp_angle, is_sharp);
@@ -165,6 +166,30 @@ void report_deviation(const Mesh& qm, const std::string& filename, double sharp_
   r.add("boundary_kept", d.boundary_kept, "share of that length on boundary edges");
 }
 
+// What the page shows: the quads, or the faces as they are, and the reference.
+void write_page(const command_line::Arguments& args, const Report& report, const Mesh& qm, const Mesh& reference,
+                const std::vector<Point_3>& points, const std::vector<std::vector<std::size_t>>& polygons)
+{
+  QM::Scene scene;
+  if(reference.number_of_faces() > 0)
+  {
+    scene.layers.push_back(QM::make_display_layer(reference, "triangles", "Reference", scene));
+    scene.layers.back().side = QM::Scene_side::LEFT;
+    scene.is_side_by_side = true;
+  }
+  if(qm.number_of_faces() > 0)
+  {
+    scene.message = "A pure quad mesh.";
+    QM::add_quad_mesh_layers(scene, qm);
+  }
+  else
+  {
+    scene.message = "Not a pure quad mesh.";
+    scene.layers.push_back(QM::make_polygons_layer(points, polygons, "faces", "Faces"));
+  }
+  command_line::write_scene_files(args, report.json(), scene);
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -180,12 +205,15 @@ int main(int argc, char* argv[])
         "edges of the reference with a larger angle between normals are sharp (degrees)")(
         "worst", po::value<long long>()->default_value(10), "number of worst quads to list")(
         "json", po::value<std::string>(), "file for the figures as one flat JSON object");
+      command_line::add_scene_options(options);
       command_line::Arguments args("quad_mesh_statistics", "measures the quad mesh IN", { "IN" }, options);
       if(!args.parse(argc, argv))
         return static_cast<int>(command_line::done);
       const std::string filename = args.positional(0);
       const double sharp_angle = args.number("sharp-angle", 0, 180);
       const int number_of_worst = static_cast<int>(args.whole_number("worst", 0, (std::numeric_limits<int>::max)()));
+
+      command_line::check_scene_files(args);
 
       std::vector<Point_3> points;
       std::vector<std::vector<std::size_t>> polygons;
@@ -206,15 +234,19 @@ int main(int argc, char* argv[])
       report.add("faces_not_quads", defects.faces_not_quads, "faces that are not quads");
       report.add("isolated_vertices", defects.isolated_vertices, "vertices without a face");
 
+      Mesh qm, reference;
+      if(args.has("reference"))
+        reference = command_line::read_mesh<Mesh>(args.value<std::string>("reference"));
       if(is_pure)
       {
-        Mesh qm;
         PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
         report_structure(qm, report);
         report_quality(qm, report, number_of_worst);
         if(args.has("reference"))
-          report_deviation(qm, args.value<std::string>("reference"), sharp_angle, report);
+          report_deviation(qm, reference, sharp_angle, report);
       }
+      if(command_line::shows_scene(args))
+        write_page(args, report, qm, reference, points, polygons);
       if(args.has("json"))
         command_line::write_json(args.value<std::string>("json"), report.json());
       if(!is_pure)

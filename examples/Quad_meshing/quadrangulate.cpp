@@ -9,9 +9,13 @@
 // Makes a quad mesh out of a triangle mesh: the whole line, as a program.
 
 #include "command_line.h"
+#include "quad_mesh_files.h"
+#include "scene_files.h"
+#include "triangle_input.h"
 
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 
 #include <cstddef>
 #include <iostream>
@@ -24,10 +28,20 @@ typedef Quadrangulation::Mesh Mesh;
 
 namespace {
 
-// One line per triangle: its centroid and the first direction of the cross there.
+bool is_rosy(const std::string& filename) { return QM::internal::file_extension(filename) == "rosy"; }
+
+// A file F.rosy, and beside it F.triangles.obj, the triangles that the field lies on. Other files have one line per
+// triangle: its centroid and the first direction of the cross there.
 void write_field(const std::string& filename, const QM::Quadrangulation_surface& q)
 {
   std::ofstream out = command_line::open_output(filename);
+  if(is_rosy(filename))
+  {
+    QM::write_rosy_field(out, q.mesh,
+                         [&](Mesh::Face_index f) { return QM::cross_field_direction(f, q.mesh, q.angle); });
+    command_line::write_mesh(filename.substr(0, filename.size() - 5) + ".triangles.obj", q.mesh);
+    return;
+  }
   for(Mesh::Face_index f : q.mesh.faces())
   {
     const Mesh::Halfedge_index h = q.mesh.halfedge(f);
@@ -112,7 +126,8 @@ int main(int argc, char* argv[])
         "align-boundary", po::value<std::string>()->default_value("on"),
         "on or off: make the boundary a chain of quad edges")(
         "field", po::value<std::string>()->default_value("polished"),
-        "representation, greedy, greedy-and-search or polished: how the singularities of the cross field are found")(
+        "representation, greedy, greedy-and-search or polished: how the singularities of the cross field are found; or "
+        "a file .rosy with a direction for each face of IN, which the field gets")(
         "curvature-alignment", po::value<double>()->default_value(1),
         "0 to 1: how much quads follow the directions in which the surface bends least")(
         "work-on-input", "make field and map on the input's own triangles instead of a working mesh")(
@@ -126,11 +141,14 @@ int main(int argc, char* argv[])
         "how many threads may work at the same time; the result is the same")(
         "time-limit", po::value<double>(), "seconds after which the best mesh so far is written")(
         "save-field", po::value<std::string>(),
-        "file for the cross field: x y z of a centroid and of a direction per line")(
+        "file for the cross field: x y z of a centroid and of a direction per line; F.rosy: in that format, with its "
+        "triangles in F.triangles.obj")("largest-component", "take the component of the largest area alone")(
         "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
         "strict", "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
       command_line::add_greedy_rounding(options);
+      command_line::add_scene_options(options);
+      command_line::add_quad_mesh_options(options);
       command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
                                    options);
       if(!args.parse(argc, argv))
@@ -149,20 +167,34 @@ int main(int argc, char* argv[])
       const QM::Cross_field_method fields[] = { QM::Cross_field_method::REPRESENTATION, QM::Cross_field_method::GREEDY,
                                                 QM::Cross_field_method::GREEDY_AND_SEARCH,
                                                 QM::Cross_field_method::POLISHED };
+      const std::string field_file = is_rosy(args.value<std::string>("field")) ? args.value<std::string>("field") : "";
       const QM::Cross_field_method field =
-        fields[args.choice("field", { "representation", "greedy", "greedy-and-search", "polished" })];
+        field_file.empty()
+          ? fields[args.choice("field", { "representation", "greedy", "greedy-and-search", "polished" })]
+          : QM::Cross_field_method::POLISHED;
       const command_line::Greedy_rounding greedy = command_line::greedy_rounding(args);
 
       QM::Mesh_reading_result reading;
-      const Mesh tm = command_line::read_mesh<Mesh>(args.positional(0), reading);
+      Mesh tm = command_line::read_mesh<Mesh>(args.positional(0), reading);
+      if(args.has("largest-component"))
+        command_line::keep_largest_component(tm, reading);
       command_line::check_mesh_output(args.positional(1));
+      const int digits = command_line::check_quad_mesh_options(args);
       for(const char* file : { "save-field", "json" })
         if(args.has(file))
           command_line::check_output(args.value<std::string>(file));
       if(args.has("save-uv"))
         command_line::check_output(args.value<std::string>("save-uv"), { "obj" });
 
+      command_line::check_scene_files(args);
+
       Quadrangulation q(tm, tm.points());
+      if(!field_file.empty())
+      {
+        const auto directions =
+          command_line::read_directions<Quadrangulation::Kernel::Vector_3>(field_file, reading.faces);
+        q.set_directions(tm, boost::make_iterator_property_map(directions.begin(), get(boost::face_index, tm)));
+      }
       q.options.face_name = command_line::names_in_file("face", reading.faces);
       q.options.vertex_name = command_line::names_in_file("vertex", reading.vertices);
       q.options.target_edge_length = edge_length;
@@ -200,7 +232,19 @@ int main(int argc, char* argv[])
       if(args.has("save-uv"))
         write_map(args.value<std::string>("save-uv"), q.surface());
       if(q.quads().mesh.number_of_faces() > 0)
-        command_line::write_mesh(args.positional(1), q.quads().mesh);
+      {
+        command_line::write_mesh(args.positional(1), q.quads().mesh, digits);
+        command_line::write_patches(args, q.quads().mesh, digits);
+      }
+
+      if(command_line::shows_scene(args))
+      {
+        QM::Scene scene;
+        scene.message = result.message;
+        scene.is_side_by_side = true;
+        QM::add_quadrangulation_layers(scene, tm, q);
+        command_line::write_scene_files(args, figures(result), scene);
+      }
 
       std::cout << result.message << "\n"
                 << command_line::count_of(result.quads, "quad", "quads") << ", "

@@ -37,8 +37,16 @@
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
 #include <CGAL/Quad_meshing/IO/Flat_json.h>
 #include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
+#include <CGAL/Quad_meshing/IO/Scene.h>
+#include <CGAL/Quad_meshing/IO/Scene_writing_result.h>
 #include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
+#include <CGAL/Quad_meshing/IO/rosy_field.h>
+#include <CGAL/Quad_meshing/IO/scene_layers.h>
+#include <CGAL/Quad_meshing/IO/write_grouped_obj.h>
+#include <CGAL/Quad_meshing/IO/write_html_page.h>
+#include <CGAL/Quad_meshing/IO/write_png_picture.h>
+#include <CGAL/Quad_meshing/IO/write_vtk.h>
 #include <CGAL/Quad_meshing/Layout/Arc_subdivision.h>
 #include <CGAL/Quad_meshing/Layout/Feature_bends.h>
 #include <CGAL/Quad_meshing/Layout/Layout_curves.h>
@@ -75,6 +83,7 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
+#include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>

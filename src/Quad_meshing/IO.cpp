@@ -10,4 +10,9 @@
 
 #include <CGAL/Quad_meshing/IO/internal/Triangle_surface_impl.h>
 #include <CGAL/Quad_meshing/IO/internal/read_polygon_soup_impl.h>
+#include <CGAL/Quad_meshing/IO/internal/read_rosy_field_impl.h>
 #include <CGAL/Quad_meshing/IO/internal/read_soup_file_impl.h>
+#include <CGAL/Quad_meshing/IO/internal/simplify_layer_impl.h>
+#include <CGAL/Quad_meshing/IO/internal/write_html_page_impl.h>
+#include <CGAL/Quad_meshing/IO/internal/write_png_picture_impl.h>
+#include <CGAL/Quad_meshing/IO/internal/write_vtk_impl.h>

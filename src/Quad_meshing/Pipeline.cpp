@@ -10,5 +10,6 @@
 
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_plan_impl.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/copy_components_impl.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/quadrangulation_layers_impl.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation_impl.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/search_grid_map_impl.h>

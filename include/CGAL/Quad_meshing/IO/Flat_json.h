@@ -146,6 +146,9 @@ public:
   /// gives `key` the value `value`, in place of the value it may have had.
   void set(const std::string& key, const char* value) { set(key, std::string(value)); }
 
+  /// returns keys and values, these as JSON literals, in the order in which the keys were first set.
+  const std::vector<std::pair<std::string, std::string>>& members() const { return m_members; }
+
   /// returns the number of keys.
   std::size_t size() const { return m_members.size(); }
 

@@ -160,6 +160,25 @@ public:
   /// returns the first element of the mesh that stands for element `i` of the file, `none` if it was dropped.
   std::size_t mesh_number(std::size_t i) const { return number(m_mesh_number, i); }
 
+  /// returns the numbers for a mesh that keeps some elements of this one: its element `i` was `kept[i]`.
+  File_numbers of_part(const std::vector<std::size_t>& kept) const
+  {
+    std::vector<std::uint32_t> file_numbers, mesh_numbers(m_file_size, no_number), new_number(m_mesh_size, no_number);
+    for(std::size_t k : kept)
+    {
+      const std::size_t n = file_number(k);
+      new_number[k] = static_cast<std::uint32_t>(file_numbers.size());
+      if(n != none && mesh_numbers[n] == no_number)
+        mesh_numbers[n] = new_number[k];
+      file_numbers.push_back(n == none ? no_number : static_cast<std::uint32_t>(n));
+    }
+    // Elements of the file that were merged into an element that is kept.
+    for(std::size_t n = 0; n < m_file_size; ++n)
+      if(mesh_numbers[n] == no_number && mesh_number(n) != none)
+        mesh_numbers[n] = new_number[mesh_number(n)];
+    return File_numbers(std::move(file_numbers), std::move(mesh_numbers));
+  }
+
 private:
   std::size_t number(const std::vector<std::uint32_t>& numbers, std::size_t i) const
   {

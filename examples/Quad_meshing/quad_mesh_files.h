@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_EXAMPLES_QUAD_MESH_FILES_H
+#define CGAL_QUAD_MESHING_EXAMPLES_QUAD_MESH_FILES_H
+
+// The options --patches and --digits of the programs that write quad meshes.
+
+#include "command_line.h"
+
+#include <CGAL/Quad_meshing/IO/write_grouped_obj.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <fstream>
+#include <string>
+
+namespace command_line {
+
+inline void add_quad_mesh_options(po::options_description& options)
+{
+  options.add_options()(
+    "patches", po::value<std::string>(),
+    "OBJ file of the quads with a group for each patch of the base complex, and its separatrices as "
+    "line elements")("digits", po::value<long long>()->default_value(all_digits),
+                     "digits of the coordinates, 17: they read back as they are");
+}
+
+// The number of digits; throws if the file of --patches cannot be written.
+inline int check_quad_mesh_options(const Arguments& args)
+{
+  if(args.has("patches"))
+    check_output(args.value<std::string>("patches"), { "obj" });
+  return static_cast<int>(args.whole_number("digits", 1, all_digits));
+}
+
+// Writes the file of --patches, for pure quad meshes.
+template <typename QuadMesh>
+void write_patches(const Arguments& args, const QuadMesh& qm, int digits)
+{
+  if(!args.has("patches") || !CGAL::is_quad_mesh(qm) || CGAL::is_empty(qm))
+    return;
+  const std::string filename = args.value<std::string>("patches");
+  const auto is_separatrix = get(CGAL::dynamic_edge_property_t<bool>(), qm);
+  const auto patch = get(CGAL::dynamic_face_property_t<std::size_t>(), qm);
+  CGAL::Quad_meshing::base_complex(qm, is_separatrix, patch);
+  std::ofstream out = open_output(filename);
+  out.precision(digits);
+  CGAL::Quad_meshing::write_grouped_obj(out, qm, patch, is_separatrix);
+  out.close();
+  if(!out)
+    throw Unusable_input(filename + ": writing failed");
+}
+
+} // namespace command_line
+
+#endif // CGAL_QUAD_MESHING_EXAMPLES_QUAD_MESH_FILES_H

@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The Quad_meshing authors.
+//
+// This file is part of Quad_meshing, a package in the style of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quad_meshing authors
+
+#ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_QUADRANGULATION_LAYERS_IMPL_H
+#define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_QUADRANGULATION_LAYERS_IMPL_H
+
+#include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
+#include <CGAL/Quad_meshing/internal/Quad_shape.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_meshing {
+namespace internal {
+
+inline Scene_layer layer_of_marks(const std::string& name, const std::string& group, Scene_layer_kind kind,
+                                  Scene_side side)
+{
+  Scene_layer layer;
+  layer.name = name;
+  layer.group = group;
+  layer.kind = kind;
+  layer.side = side;
+  return layer;
+}
+
+inline Scene_numbers named_numbers(const std::string& name, const std::string& unit,
+                                   Scene_color_scale scale = Scene_color_scale::SEQUENCE)
+{
+  Scene_numbers numbers;
+  numbers.name = name;
+  numbers.unit = unit;
+  numbers.scale = scale;
+  return numbers;
+}
+
+// The quads with all that is measured on each of them.
+inline Scene_layer layer_of_quads(const Indexed_quad_mesh& m, const Base_complex_of_quad_mesh& bc,
+                                  const std::string& group)
+{
+  Scene_layer layer = layer_of_marks("quads", group, Scene_layer_kind::FACES, Scene_side::RIGHT);
+  for(const Indexed_quad_mesh::Point_3& p : m.points)
+    layer.add_point(coordinates(p));
+  Scene_numbers jacobian = named_numbers("scaled Jacobian", ""),
+                angle = named_numbers("largest angle off 90", "degrees"),
+                length = named_numbers("mean edge length", ""), aspect = named_numbers("aspect ratio", ""),
+                planarity = named_numbers("gap of the diagonals over side", ""),
+                patch = named_numbers("patch of the base complex", "", Scene_color_scale::CATEGORIES);
+  // light: a square
+  jacobian.low = 0;
+  jacobian.high = 1;
+  angle.low = 45;
+  angle.high = 0;
+  for(int f = 0; f < m.number_of_faces(); ++f)
+  {
+    const std::array<int, 4>& c = m.corners[f];
+    layer.add_element(c);
+    const Quad_shape shape = shape_of_quad({ { m.points[c[0]], m.points[c[1]], m.points[c[2]], m.points[c[3]] } });
+    double off = 0, sum = 0;
+    for(int k = 0; k < 4; ++k)
+    {
+      off = (std::max)(off, std::abs(shape.angle[k] - 90));
+      sum += shape.length[k];
+    }
+    jacobian.values.push_back(shape.minimal_scaled_jacobian());
+    angle.values.push_back(off);
+    length.values.push_back(sum / 4);
+    aspect.values.push_back(shape.aspect_ratio());
+    planarity.values.push_back(shape.planarity);
+    patch.values.push_back(bc.patch[f]);
+  }
+  layer.numbers = { jacobian, angle, length, aspect, planarity, patch };
+  layer.colored_by = 0;
+  return layer;
+}
+
+// Index 1 stands for one edge less than in a grid, as in Quad_mesh_structure::sum_of_indices.
+inline Scene_layer layer_of_irregular_vertices(const Indexed_quad_mesh& m, const std::string& group)
+{
+  Scene_layer layer = layer_of_marks("irregular vertices", group, Scene_layer_kind::POINTS, Scene_side::RIGHT);
+  Scene_numbers index = named_numbers("index", "quarters", Scene_color_scale::SIGNED),
+                valence = named_numbers("valence", "edges"), vertex = named_numbers("vertex", "");
+  for(int v = 0; v < m.number_of_vertices(); ++v)
+  {
+    const int edges = m.valence(v), regular = m.is_border_vertex(v) ? 3 : 4;
+    if(edges == 0 || edges == regular)
+      continue;
+    layer.add_element(std::array<std::size_t, 1>{ { layer.add_point(coordinates(m.points[v])) } });
+    index.values.push_back(regular - edges);
+    valence.values.push_back(edges);
+    vertex.values.push_back(v);
+  }
+  layer.numbers = { index, valence, vertex };
+  layer.colored_by = 0;
+  return layer;
+}
+
+inline Scene_layer layer_of_separatrices(const Indexed_quad_mesh& m, const Base_complex_of_quad_mesh& bc,
+                                         const std::string& group)
+{
+  Scene_layer layer = layer_of_marks("base complex", group, Scene_layer_kind::LINES, Scene_side::RIGHT);
+  layer.color = "#d07000";
+  layer.is_visible = false;
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+    if(m.edge(h) == h && bc.is_separatrix[h])
+    {
+      const std::size_t p = layer.add_point(coordinates(m.points[m.source(h)]));
+      const std::size_t q = layer.add_point(coordinates(m.points[m.target(h)]));
+      layer.add_element(std::array<std::size_t, 2>{ { p, q } });
+    }
+  return layer;
+}
+
+template <std::size_t N>
+Scene_histogram histogram_of(const std::string& name, const std::string& unit, double low, double high,
+                             const std::array<std::size_t, N>& counts)
+{
+  Scene_histogram h;
+  h.name = name;
+  h.unit = unit;
+  h.low = low;
+  h.high = high;
+  h.counts.assign(counts.begin(), counts.end());
+  return h;
+}
+
+CGAL_QUAD_MESHING_INLINE void add_layers_of_quads(Scene& scene, const Indexed_quad_mesh& m, const std::string& group)
+{
+  const Base_complex_of_quad_mesh bc = base_complex_of_quad_mesh(m);
+  scene.layers.push_back(layer_of_quads(m, bc, group));
+  scene.layers.push_back(layer_of_irregular_vertices(m, group));
+  scene.layers.push_back(layer_of_separatrices(m, bc, group));
+  // The first and the last interval also count what lies beyond them.
+  const Quad_mesh_quality q = quality_of_quad_mesh(m);
+  scene.histograms.push_back(histogram_of(group + ": angles, reflex ones last", "degrees", 0, 190, q.angle_histogram));
+  scene.histograms.push_back(
+    histogram_of(group + ": edge lengths over their mean", "", 0, 2.1, q.edge_length_histogram));
+  scene.histograms.push_back(
+    histogram_of(group + ": scaled Jacobians, inverted quads first", "", -0.1, 1, q.scaled_jacobian_histogram));
+}
+
+// The triangles of the work with the integer grid on them.
+inline Scene_layer layer_of_map(const Quadrangulation_surface& surface)
+{
+  Scene_layer layer = make_faces_layer(surface.mesh, "integer grid", "Field and map");
+  layer.side = Scene_side::LEFT;
+  layer.has_sides = false;
+  layer.color = "#d8e0c8";
+  Scene_numbers origin = named_numbers("input face", "", Scene_color_scale::CATEGORIES);
+  for(Quadrangulation_mesh::Face_index f : surface.mesh.faces())
+  {
+    for(auto h : halfedges_around_face(surface.mesh.halfedge(f), surface.mesh))
+      layer.grid.push_back({ { surface.uv[h].x(), surface.uv[h].y() } });
+    origin.values.push_back(static_cast<double>(surface.origin[f]));
+  }
+  layer.numbers = { origin };
+  return layer;
+}
+
+// A cross in some of the faces, at most so many.
+inline Scene_layer layer_of_field(const Quadrangulation_surface& surface)
+{
+  constexpr std::size_t most_crosses = 20000; // of 100 bytes each
+  typedef Quadrangulation_kernel::Vector_3 Vector_3;
+  Scene_layer layer = layer_of_marks("cross field", "Field and map", Scene_layer_kind::LINES, Scene_side::LEFT);
+  layer.color = "#305070";
+  layer.is_visible = false;
+  const Quadrangulation_mesh& mesh = surface.mesh;
+  const std::size_t step = (mesh.number_of_faces() + most_crosses - 1) / most_crosses;
+  for(Quadrangulation_mesh::Face_index f : mesh.faces())
+  {
+    if(f % step != 0)
+      continue;
+    const auto h = mesh.halfedge(f);
+    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+               &r = mesh.point(mesh.target(mesh.next(h)));
+    // a quarter of the square root of the area, so that the crosses of neighbors do not meet
+    const double size = std::sqrt(std::sqrt(squared_area(p, q, r)) * static_cast<double>(step)) / 2;
+    for(int i = 0; i < 2; ++i)
+    {
+      const Vector_3 d = size * cross_field_direction(f, mesh, surface.angle, i);
+      const std::size_t a = layer.add_point(coordinates(centroid(p, q, r) - d));
+      const std::size_t b = layer.add_point(coordinates(centroid(p, q, r) + d));
+      layer.add_element(std::array<std::size_t, 2>{ { a, b } });
+    }
+  }
+  if(step > 1)
+    layer.name += " in one of " + std::to_string(step) + " triangles";
+  return layer;
+}
+
+inline Scene_layer layer_of_singularities(const Quadrangulation_surface& surface)
+{
+  Scene_layer layer = layer_of_marks("singularities", "Field and map", Scene_layer_kind::POINTS, Scene_side::LEFT);
+  Scene_numbers index = named_numbers("index", "quarters", Scene_color_scale::SIGNED);
+  for(Quadrangulation_mesh::Vertex_index v : surface.mesh.vertices())
+    if(surface.index[v] != 0)
+    {
+      layer.add_element(std::array<std::size_t, 1>{ { layer.add_point(coordinates(surface.mesh.point(v))) } });
+      index.values.push_back(surface.index[v]);
+    }
+  layer.numbers = { index };
+  layer.colored_by = 0;
+  return layer;
+}
+
+CGAL_QUAD_MESHING_INLINE void add_layers_of_surface(Scene& scene, const Quadrangulation_surface& surface)
+{
+  if(surface.mesh.number_of_faces() == 0)
+    return;
+  if(surface.mesh.number_of_faces() > most_triangles_of_page)
+    scene.remarks.push_back("The map lies on " + std::to_string(surface.mesh.number_of_faces()) +
+                            " triangles, too many to be shown here.");
+  else
+    scene.layers.push_back(layer_of_map(surface));
+  scene.layers.push_back(layer_of_field(surface));
+  scene.layers.push_back(layer_of_singularities(surface));
+}
+
+CGAL_QUAD_MESHING_INLINE void add_layers_of_features(Scene& scene, const Component_copies& copies,
+                                                     const Quadrangulation_options& options)
+{
+  Scene_layer kept = layer_of_marks("sharp edges, kept", "Input", Scene_layer_kind::LINES, Scene_side::LEFT);
+  Scene_layer dropped =
+    layer_of_marks("sharp edges, taken for noise", "Input", Scene_layer_kind::LINES, Scene_side::LEFT);
+  kept.color = "#c02020";
+  dropped.color = "#2040d0";
+  const double length =
+    options.target_edge_length > 0 ? options.target_edge_length : copies.edge_length(options.target_number_of_quads);
+  for(std::size_t i = 0; i < copies.surfaces.size(); ++i)
+  {
+    Quadrangulation_mesh& mesh = copies.surfaces[i]->mesh;
+    const auto is_kept = copies.surfaces[i]->is_feature;
+    detect_feature_edges(mesh, options.sharpness_angle, copies.edge_length_in(i, length), is_kept);
+    const auto is_sharp = mesh.add_property_map<Quadrangulation_mesh::Edge_index, bool>("e:is_sharp", false).first;
+    // 180 degrees ask for no sharp edges, which CGAL would take for all folds
+    if(options.sharpness_angle < 180)
+      Polygon_mesh_processing::detect_sharp_edges(mesh, options.sharpness_angle, is_sharp);
+    for(bool is_kept_layer : { true, false })
+    {
+      Scene_layer& layer = is_kept_layer ? kept : dropped;
+      for(Quadrangulation_mesh::Edge_index e : mesh.edges())
+      {
+        if(mesh.is_border(e) || (is_kept_layer ? !is_kept[e] : !is_sharp[e] || is_kept[e]))
+          continue;
+        const std::size_t p = layer.add_point(coordinates(mesh.point(mesh.vertex(e, 0))));
+        const std::size_t q = layer.add_point(coordinates(mesh.point(mesh.vertex(e, 1))));
+        layer.add_element(std::array<std::size_t, 2>{ { p, q } });
+      }
+    }
+  }
+  for(const Scene_layer& layer : { kept, dropped })
+    if(layer.size() > 0)
+      scene.layers.push_back(layer);
+}
+
+} // namespace internal
+} // namespace Quad_meshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESHING_PIPELINE_INTERNAL_QUADRANGULATION_LAYERS_IMPL_H

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Runs `quadrangulate` with the options for files of other programs, and reads the files back with meshio where it is
+installed: patches, VTK, fields, the largest component, digits, polygons as input.
+
+usage: check_files.py PROGRAM
+"""
+
+import re
+import subprocess
+import sys
+
+failures = []
+
+
+def check(condition, what):
+    if not condition:
+        failures.append(what)
+        print("FAILED: " + what)
+
+
+def box(n, low=(0, 0, 0), size=1.0, polygons=False):
+    """The sides of a cube with n x n squares each, as squares or triangles."""
+    number, points, faces = {}, [], []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for end in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    c = []
+                    for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                        p = [0, 0, 0]
+                        p[axis], p[u], p[v] = end, a, b
+                        if tuple(p) not in number:
+                            number[tuple(p)] = len(points)
+                            points.append([low[k] + size * p[k] / n for k in range(3)])
+                        c.append(number[tuple(p)])
+                    if end == 0:
+                        c.reverse()
+                    faces += [c] if polygons else [[c[0], c[1], c[2]], [c[0], c[2], c[3]]]
+    return points, faces
+
+
+def write_off(name, *meshes):
+    points, faces = [], []
+    for p, f in meshes:
+        faces += [[i + len(points) for i in face] for face in f]
+        points += p
+    with open(name, "w", encoding="ascii") as file:
+        file.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
+        file.writelines("%r %r %r\n" % tuple(p) for p in points)
+        file.writelines(" ".join(map(str, [len(f)] + f)) + "\n" for f in faces)
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([sys.argv[1]] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, timeout=200, check=False)
+    print("%s: %d: %s%s" % (" ".join(arguments), done.returncode, done.stdout, done.stderr))
+    check(done.returncode == code, "exit code %d of %s" % (done.returncode, arguments))
+    return done
+
+
+def obj_lines(name):
+    lines = {}
+    with open(name, encoding="ascii") as file:
+        for line in file:
+            words = line.split()
+            if words:
+                lines.setdefault(words[0], []).append(words[1:])
+    return lines
+
+
+def main():
+    write_off("cube.off", box(3))
+    run("cube.off", "quads.obj", "--target-quads", "150", "--patches", "patches.obj", "--vtk", "quads.vtk", "--save-field",
+        "cube.rosy", "--digits", "6")
+    quads, patches = obj_lines("quads.obj"), obj_lines("patches.obj")
+    check(sorted(map(sorted, patches["f"])) == sorted(map(sorted, quads["f"])), "the patches are not the quads")
+    names = [g[0] for g in patches["g"]]
+    check(names == ["patch_%d" % i for i in range(6)] + ["separatrices"], "the groups are %s" % names)
+    length = round((len(quads["f"]) / 6) ** 0.5)
+    check(len(patches["l"]) == 12 * length, "there are %d lines" % len(patches["l"]))
+    check(all(len(re.sub(r"[-.]|e.*", "", x)) <= 7 for p in quads["v"] for x in p), "there are more than six digits")
+    run("cube.off", "quads.obj", "--target-quads", "150")
+    check(any(len(x) > 12 for p in obj_lines("quads.obj")["v"] for x in p), "there are no long numbers")
+
+    # A field goes in again; with the triangles that it lies on, so do its eight singularities.
+    with open("cube.rosy", encoding="ascii") as file:
+        field = file.read().split("\n")
+    triangles = obj_lines("cube.triangles.obj")["f"]
+    check(int(field[0]) == len(triangles) and field[1] == "4" and len(field) == len(triangles) + 3, "the field is not whole")
+    run("cube.triangles.obj", "again.obj", "--field", "cube.rosy", "--work-on-input", "--target-quads", "150", "--json",
+        "again.json")
+    with open("again.json", encoding="utf-8") as file:
+        check('"singularities": 8' in file.read(), "the field has other singularities")
+    done = run("cube.off", "again.obj", "--field", "cube.rosy", code=2)
+    check("directions, the mesh 108 faces" in done.stderr, "a field of another mesh is not refused")
+
+    # The largest component alone; faces keep their numbers in messages; polygons are cut, which is said.
+    write_off("two.off", box(2, (5, 5, 5), 0.5), box(3))
+    done = run("two.off", "one.obj", "--target-quads", "150", "--largest-component")
+    check("The largest of 2 components" in done.stderr, "nothing is said about the component")
+    points = [[float(x) for x in p] for p in obj_lines("one.obj")["v"]]
+    check(max(max(p) for p in points) < 1.0 + 1e-9, "the other component is there")
+    write_off("polygons.off", box(2, polygons=True))
+    done = run("polygons.off", "polygons.obj", "--target-quads", "100")
+    check("triangulated" in done.stderr, "nothing is said about polygons that were cut")
+
+    try:
+        import meshio
+    except ImportError:
+        print("NOTICE: files are not read back by meshio, which is not installed.")
+    else:
+        mesh = meshio.read("quads.vtk")
+        cells = sum(len(block.data) for block in mesh.cells)
+        check(cells == len(patches["f"]), "meshio finds %d cells" % cells)
+        for key, low, high in (("scaled_Jacobian", 0.5, 1.0), ("patch_of_the_base_complex", 0, 5)):
+            values = [x for block in mesh.cell_data[key] for x in block.ravel()]
+            check(low <= min(values) and max(values) <= high + 1e-12, "%s is from %g to %g" % (key, min(values), max(values)))
+    print("%d failures" % len(failures))
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
