@@ -160,11 +160,11 @@ private:
 
     constexpr bool takes_parameters =
       internal::Takes_parameters<NamedParameters, internal_np::target_edge_length_t, internal_np::face_sizing_map_t,
-                                 internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
-                                 internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
-                                 internal_np::stiffening_iterations_t, internal_np::number_of_threads_t,
-                                 internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                                 internal_np::face_index_t>::value;
+                                 internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
+                                 internal_np::align_boundary_t, internal_np::rounding_method_t,
+                                 internal_np::anisotropy_weight_t, internal_np::stiffening_iterations_t,
+                                 internal_np::number_of_threads_t, internal_np::visitor_t, internal_np::vertex_point_t,
+                                 internal_np::vertex_index_t, internal_np::face_index_t>::value;
     static_assert(takes_parameters, "A seamless map does not take one of the named parameters.");
     constexpr bool has_edge_map =
       internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -240,6 +240,8 @@ private:
     {
       const int i = static_cast<int>(get(vim, v)), h = mesh.halfedge_of_vertex[i];
       const bool on_border = h != -1 && mesh.opposite[h] == -1;
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+        problem.is_node[i] = get(get_parameter(np, internal_np::vertex_is_constrained), v);
       problem.quarters[i] = !on_border ? 4 - get(index, v) : align_boundary ? 2 - get(index, v) : -1;
     }
 

@@ -67,6 +67,11 @@ face
     \cgalParamType{a model of `ReadablePropertyMap` with the edges as keys and `bool` as value type}
     \cgalParamDefault{no edge}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{vertices that become vertices of quads: they lie on grid points, whatever their index is}
+    \cgalParamType{a model of `ReadablePropertyMap` with the vertices of `tm` as keys and `bool` as value type}
+    \cgalParamDefault{the singular vertices alone}
+  \cgalParamNEnd
   \cgalParamNBegin{align_boundary}
     \cgalParamDescription{whether border edges have to lie on grid lines; the field must be aligned likewise}
     \cgalParamType{`bool`}
