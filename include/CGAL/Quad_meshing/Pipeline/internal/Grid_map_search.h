@@ -50,6 +50,8 @@ public:
   {
     std::vector<std::optional<Quadrangulation_kernel::Vector_3>> direction; // per face
     std::vector<double> weight;                                             // per face; infinite: hard
+    std::vector<std::optional<int>> index;                                  // that vertices must have; empty: any
+    std::vector<char> is_node; // per vertex: it becomes a vertex of quads; empty: none has to
   };
 
   struct Options
@@ -63,8 +65,15 @@ public:
 
   Grid_map_search(const Quadrangulation_surface& surface, const Directions& directions, const Options& options,
                   Pipeline_visitor& visitor)
-    : m_surface(surface), m_directions(directions), m_options(options), m_visitor(visitor)
+    : m_surface(surface)
+    , m_directions(directions)
+    , m_index(directions.index)
+    , m_is_node(directions.is_node)
+    , m_options(options)
+    , m_visitor(visitor)
   {
+    m_index.resize(surface.mesh.number_of_vertices());
+    m_is_node.resize(surface.mesh.number_of_vertices(), 0);
   }
 
   // The times and the number of attempts of all plans.
@@ -161,12 +170,21 @@ private:
     return is_feature;
   }
 
+  // Those that are never released.
+  std::vector<char> kept_features() const
+  {
+    std::vector<char> is_kept;
+    for(Mesh::Edge_index e : m_surface.mesh.edges())
+      is_kept.push_back(m_surface.is_kept[e]);
+    return is_kept;
+  }
+
   // The edges near the folded triangles of an attempt; returns their length.
   double release(const Grid_map_attempt& attempt, double radius, std::vector<char>& is_feature) const
   {
     return release_features(m_surface.mesh,
                             attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding,
-                            radius, map_of(boost::edge_index, is_feature));
+                            radius, m_surface.is_kept, map_of(boost::edge_index, is_feature));
   }
 
   // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there
@@ -177,7 +195,7 @@ private:
   {
     std::shared_ptr<Field_attempt> field = compute_field(method, is_feature, released);
     if(field && !has_room(*field) && m_options.releasable_length > released)
-      field = compute_field(method, std::vector<char>(is_feature.size(), 0), m_options.releasable_length);
+      field = compute_field(method, kept_features(), m_options.releasable_length);
     if(!field || has_room(*field))
       return field;
     figures.singularities = field->singularities;
@@ -225,6 +243,8 @@ private:
                            .allow_refactorization(m_options.quadrangulation.allow_refactorization)
                            .face_direction_map(map_of(boost::face_index, m_directions.direction))
                            .face_direction_weight_map(map_of(boost::face_index, m_directions.weight))
+                           .face_sizing_map(m_surface.length)
+                           .prescribed_index_map(map_of(boost::vertex_index, m_index))
                            .visitor(std::ref(m_visitor)));
     figures.field_seconds += r.seconds;
     if(r.status == Cross_field_status::STOPPED)
@@ -278,7 +298,9 @@ private:
                                                map_of(boost::edge_index, field.period_jump),
                                                map_of(boost::vertex_index, field.index),
                                                parameters::target_edge_length(m_options.length)
+                                                 .face_sizing_map(m_surface.length)
                                                  .edge_is_constrained_map(map_of(boost::edge_index, field.is_feature))
+                                                 .vertex_is_constrained_map(map_of(boost::vertex_index, m_is_node))
                                                  .align_boundary(o.align_boundary)
                                                  .anisotropy_weight(o.anisotropy_weight)
                                                  .number_of_threads(o.number_of_threads)
@@ -344,6 +366,8 @@ private:
 
   const Quadrangulation_surface& m_surface;
   const Directions& m_directions;
+  std::vector<std::optional<int>> m_index; // per vertex
+  std::vector<char> m_is_node;             // per vertex
   const Options m_options;
   Pipeline_visitor& m_visitor;
 };
