@@ -9,6 +9,7 @@
 // Makes a quad mesh out of a triangle mesh: the whole line, as a program.
 
 #include "command_line.h"
+#include "guide_options.h"
 
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
@@ -132,6 +133,7 @@ int main(int argc, char* argv[])
         "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
         "strict", "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
+      guide_options::add(options);
       command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
                                    options);
       if(!args.parse(argc, argv))
@@ -184,6 +186,7 @@ int main(int argc, char* argv[])
       q.options.number_of_threads = args.number_of_threads();
       q.options.random_seed = args.random_seed();
 
+      guide_options::read(args, { tm, args.positional(0), reading }, q);
       if(args.has("time-limit"))
         q.options.maximum_running_time = args.positive_number("time-limit");
 
