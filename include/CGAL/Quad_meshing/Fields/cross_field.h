@@ -120,9 +120,9 @@ namespace Quad_meshing {
  *     \cgalParamDefault{`target_edge_length` everywhere}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{prescribed_index_map}
- *     \cgalParamDescription{the index that the field must have at inner vertices without constrained edges, in quarters,
- *       at most 3; 0 forbids a singularity. `Cross_field_result::unmet_prescriptions` counts those that could not be
- *       met: where the sum of the indices leaves no other vertex to make up for them.}
+ *     \cgalParamDescription{the index that the field must have at inner vertices without constrained edges, in
+ *       quarters, at most 3; 0 forbids a singularity. `Cross_field_result::unmet_prescriptions` counts those that
+ *       could not be met: where the sum of the indices leaves no other vertex to make up for them.}
  *     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and `std::optional<int>` or a
  *       type like it as value type}
  *     \cgalParamDefault{none is prescribed}

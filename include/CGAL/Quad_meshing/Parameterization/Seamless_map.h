@@ -161,10 +161,11 @@ private:
     constexpr bool takes_parameters =
       internal::Takes_parameters<NamedParameters, internal_np::target_edge_length_t, internal_np::face_sizing_map_t,
                                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
-                                 internal_np::align_boundary_t, internal_np::rounding_method_t,
-                                 internal_np::anisotropy_weight_t, internal_np::stiffening_iterations_t,
-                                 internal_np::number_of_threads_t, internal_np::visitor_t, internal_np::vertex_point_t,
-                                 internal_np::vertex_index_t, internal_np::face_index_t>::value;
+                                 internal_np::face_direction_weight_map_t, internal_np::align_boundary_t,
+                                 internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
+                                 internal_np::stiffening_iterations_t, internal_np::number_of_threads_t,
+                                 internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
+                                 internal_np::face_index_t>::value;
     static_assert(takes_parameters, "A seamless map does not take one of the named parameters.");
     constexpr bool has_edge_map =
       internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -226,6 +227,8 @@ private:
         problem.sizing[i] = length;
       else
         problem.sizing[i] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_weight_map_t>::value)
+        problem.weight[i] = to_double(get(get_parameter(np, internal_np::face_direction_weight_map), f));
       if(!(problem.sizing[i] > 0) || !std::isfinite(problem.sizing[i]))
         return finished(Status::INVALID_LENGTH, "The target edge length is not a positive number.");
     }

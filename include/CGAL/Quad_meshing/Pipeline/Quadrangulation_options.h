@@ -37,9 +37,9 @@ struct Quadrangulation_options
   double target_edge_length = 0;        ///< in the unit of the points; 0: from `target_number_of_quads` and the area
   double target_number_of_quads = 4000; ///< counts only where `target_edge_length` is 0
   /// \name Sizes
-  /// Where the user gives no length for a place, what it adapts to, its bounds, and how fast it may change. Where there
-  /// are places without a given length, their lengths are scaled until the number of quads is right; else the given ones
-  /// are.
+  /// Where the user gives no length for a place, what it adapts to, its bounds, and how fast it may change. If there
+  /// are places without a given length, their lengths are scaled until the number of quads is right; else those that
+  /// are given are.
   /// @{
   Sizing_method sizing_method = Sizing_method::CONSTANT;
   /// The distance allowed between quads and the surface with `Sizing_method::CURVATURE`, in the unit of the points; it

@@ -80,8 +80,8 @@ struct Quadrangulation_result
   std::size_t failed_components = 0; ///< of which there is no mesh
   /// Those that have no mesh or one that is not valid; the message names the first of them.
   std::vector<Invalid_component> invalid_components;
-  /// The wishes of the user (`Quadrangulation_options`, "Guides") that the mesh does not meet, each with what it is like
-  /// instead, without a period; the message lists them.
+  /// The wishes of the user (`Quadrangulation_options`, "Guides") that the mesh does not meet, each with what it is
+  /// like instead, without a period; the message lists them.
   std::vector<std::string> unmet_guides;
   std::size_t divided_vertices = 0; ///< vertices in which borders touch; each fan of triangles has one of its own
 

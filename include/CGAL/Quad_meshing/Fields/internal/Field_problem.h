@@ -105,9 +105,10 @@ struct Field_problem
   // Makes the field one for lengths that differ from face to face. The aligned edges must be known.
   //
   // Crosses are parallel in the metric of the surface over the squared length. This metric is conformal to that of the
-  // surface: a direction that is parallel in it turns, along a path, by the derivative to the left of the logarithm u of
-  // the scale, u = -log length. Across an edge from a to b, with the weight w = (cot + cot) / 2 of the dual edge, this is
-  // w (u_b - u_a). Around a vertex these turns add up to the Laplacian of u, by which the metrics' curvatures differ.
+  // surface: a direction that is parallel in it turns, along a path, by the derivative to the left of the logarithm
+  // u of the scale, u = -log length. Across an edge from a to b, with the weight w = (cot + cot) / 2 of the dual
+  // edge, this is w (u_b - u_a). Around a vertex these turns add up to the Laplacian of u, by which the metrics'
+  // curvatures differ.
   void set_lengths(const std::vector<double>& face_length)
   {
     std::vector<double> log_length(mesh.number_of_vertices(), 0.), areas(mesh.number_of_vertices(), 0.);

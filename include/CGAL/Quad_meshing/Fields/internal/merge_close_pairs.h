@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// How many quads fit into every sector: four, or those that are prescribed, into a closed one, and into one between aligned edges what its angle says.
-// Not a number where a border without alignment leaves the number free.
+// How many quads fit into every sector: four, or those that are prescribed, into a closed one, and into one between
+// aligned edges what its angle says. Not a number where a border without alignment leaves the number free.
 inline std::vector<double> fitting_quads(const Field_problem& problem)
 {
   const Field_sectors& sectors = problem.sectors;
@@ -95,7 +95,8 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
   }
 }
 
-// Annihilates the pairs of opposite singularities closer to each other than half the target edge length, nearest first: a map for quads of
+// Annihilates the pairs of opposite singularities closer to each other than half the target edge length, nearest
+// first: a map for quads of
 // twice this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
 // moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a
 // quad more or less than its angle fits.

@@ -43,8 +43,8 @@ class Integer_grid_solver
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 
-  // Per vertex: `quarters` is the total angle of its corners in the map, in right angles, or -1 for a border vertex that
-  // need not be aligned; `is_node` tells whether it lies on a grid point, singular or not.
+  // Per vertex: `quarters` is the total angle of its corners in the map, in right angles, or -1 for a border vertex
+  // that need not be aligned; `is_node` tells whether it lies on a grid point, singular or not.
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
@@ -67,8 +67,8 @@ public:
   }
 
   // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are
-  // rounded. Returns false if the energy could not be factorized.
-  bool solve_seamless(double anisotropy, unsigned int stiffening_iterations)
+  // rounded. `weight` per face: of its energy. Returns false if the energy could not be factorized.
+  bool solve_seamless(const std::vector<double>& weight, double anisotropy, unsigned int stiffening_iterations)
   {
     struct Reduction
     {
@@ -77,9 +77,9 @@ public:
       Integer_energy result;
       bool is_done;
     };
-    const auto data = std::make_shared<Reduction>(Reduction{
-      Orientation_energy(coordinates, faces, std::vector<double>(mesh.number_of_faces(), 1.), anisotropy, &m_progress),
-      coordinates.is_integer, Integer_energy(), false });
+    const auto data =
+      std::make_shared<Reduction>(Reduction{ Orientation_energy(coordinates, faces, weight, anisotropy, &m_progress),
+                                             coordinates.is_integer, Integer_energy(), false });
     const Orientation_energy& energy = data->energy;
     if(!m_progress.go_further() ||
        !run_aside(coordinates.number_of_variables(), m_progress, data,

@@ -81,7 +81,8 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::solve(Any_visi
   if(!d.progress.go_further(set_up))
     return Integer_grid_map_status::STOPPED;
   d.progress.begin_part(1.);
-  const bool is_solved = d.solver->solve_seamless(d.options.anisotropy_weight, d.options.stiffening_iterations);
+  const bool is_solved =
+    d.solver->solve_seamless(d.problem.weight, d.options.anisotropy_weight, d.options.stiffening_iterations);
   if(!d.progress.go_further(1.))
     return Integer_grid_map_status::STOPPED;
   if(!is_solved)

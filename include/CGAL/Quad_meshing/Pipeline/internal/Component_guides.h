@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Placed_guides.h>
+#include <CGAL/Quad_meshing/internal/Distance_front.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -69,59 +70,47 @@ public:
 
   std::vector<std::string> unmet; // guides that cannot be met, see `Quadrangulation_result`
 
-  // Gives the faces that strokes cross their directions. Those of faces that have a hard one already are kept.
+  // Gives the faces that strokes cross their directions, and those nearby softer ones; `importance` is how much faces
+  // count for the map. Hard directions that are there are kept.
   void follow_strokes(const std::vector<const Placed_curve*>& strokes, std::vector<std::optional<Vector_3>>& direction,
-                      std::vector<double>& weight) const
+                      std::vector<double>& weight, std::vector<double>& importance) const
   {
-    // Along a stroke, in parts of the length of quads: short against the triangles.
-    const double step = 0.05;
-    // A stroke that leaves a triangle after this part of the length of quads has its full weight there.
-    const double full_part = 0.25;
-    struct Crossing
+    const Mesh& mesh = m_surface.mesh;
+    std::map<Mesh::Face_index, Crossing> crossings = find_crossings(strokes);
+    if(crossings.empty())
+      return;
+    importance.assign(mesh.number_of_faces(), 1.);
+    // What is near follows the nearest crossing, and what the surface itself says fades in.
+    Distance_front front(static_cast<int>(mesh.number_of_faces()));
+    std::vector<Mesh::Face_index> source(mesh.number_of_faces());
+    for(const auto& c : crossings)
     {
-      std::complex<double> direction = 0; // sum of lengths times fourth powers of directions in the plane of the face
-      double length = 0, weight = 0;      // sums, the second times weights
-      bool is_hard = false;
-    };
-    std::map<Mesh::Face_index, Crossing> crossings;
-    for(const Placed_curve* stroke : strokes)
-      for(const Guide_piece& piece : stroke->pieces)
-      {
-        const Vector_3 along = piece.to - piece.from;
-        const double length = std::sqrt(along.squared_length());
-        const double quad = m_surface.length[face_at(midpoint(piece.from, piece.to), piece.normal)];
-        const int n = (std::max)(1, static_cast<int>(std::ceil(length / (step * quad))));
-        for(int i = 0; i < n; ++i)
+      front.reach(static_cast<int>(c.first), 0);
+      source[c.first] = c.first;
+    }
+    int i;
+    for(double d; front.pop(i, d);)
+    {
+      const Mesh::Face_index f(static_cast<Mesh::size_type>(i));
+      for(Mesh::Face_index g : mesh.faces_around_face(mesh.halfedge(f)))
+        if(g != Mesh::null_face())
         {
-          const Mesh::Face_index f = face_at(piece.from + ((i + 0.5) / n) * along, piece.normal);
-          Vector_3 x, y;
-          if(!triangle_axes(corners(f), x, y))
-            continue;
-          const std::complex<double> d(along * x, along * y);
-          if(!(std::abs(d) > 0))
-            continue;
-          Crossing& c = crossings[f];
-          const double part = length / n;
-          c.direction += part * std::pow(d / std::abs(d), 4);
-          c.length += part;
-          if(std::isinf(stroke->weight))
-            c.is_hard = true;
-          else
-            c.weight += part * stroke->weight;
+          const double e = d + std::sqrt(squared_distance(center(f), center(g))) / m_surface.length[g];
+          if(e < fading_radius && front.reach(static_cast<int>(g), e))
+            source[g] = source[f];
         }
-      }
-    for(const auto& [f, c] : crossings)
-    {
-      Vector_3 x, y;
-      triangle_axes(corners(f), x, y);
-      if(std::isinf(weight[f]) || !(std::abs(c.direction) > 0))
+      if(std::isinf(weight[f]))
         continue;
-      const double angle = std::arg(c.direction) / 4;
-      direction[f] = std::cos(angle) * x + std::sin(angle) * y;
-      // Strokes that contradict each other in a face count as far as they agree.
-      weight[f] = c.is_hard ? std::numeric_limits<double>::infinity()
-                            : c.weight / c.length * (std::abs(c.direction) / c.length) *
-                                (std::min)(1., c.length / (full_part * m_surface.length[f]));
+      weight[f] *= d / fading_radius;
+      const Crossing& c = crossings[source[f]];
+      const double part = 1 - d / band_radius;
+      const std::optional<Vector_3> along = c.vector();
+      if(part <= 0 || !along)
+        continue;
+      importance[f] = 1 + (largest_importance - 1) * part;
+      direction[f] = along;
+      weight[f] = d > 0 ? part * c.soft_weight() * area(f) / (m_surface.length[f] * m_surface.length[f])
+                        : c.weight_in(m_surface.length[f]);
     }
   }
 
@@ -185,6 +174,93 @@ public:
   }
 
 private:
+  // In lengths of quads: how far from a stroke faces follow it, and from where on they follow the surface as they would
+  // without it. One row of quads on each side alone would be bent over by its neighbors.
+  static constexpr double band_radius = 2, fading_radius = 5;
+  // How much more the map counts on the stroke than elsewhere.
+  static constexpr double largest_importance = 10;
+
+  // What strokes say in a face.
+  struct Crossing
+  {
+    std::complex<double> direction = 0; // sum of lengths times fourth powers of directions in the plane of the face
+    Vector_3 x, y;                      // the axes of that plane
+    double length = 0, weight = 0;      // sums, the second one times weights
+    bool is_hard = false;
+
+    // None where strokes contradict each other.
+    std::optional<Vector_3> vector() const
+    {
+      if(!(std::abs(direction) > 0))
+        return std::nullopt;
+      const double angle = std::arg(direction) / 4;
+      return std::cos(angle) * x + std::sin(angle) * y;
+    }
+
+    // Strokes count as far as they agree; hard ones are soft in the faces nearby.
+    double soft_weight() const
+    {
+      const double agreement = length > 0 ? std::abs(direction) / length : 0;
+      return agreement * (is_hard ? Guide_stroke().weight : weight / length);
+    }
+
+    // A stroke that leaves a face after this part of the length of quads has its full weight there.
+    double weight_in(double quad) const
+    {
+      const double full_part = 0.25;
+      return is_hard ? std::numeric_limits<double>::infinity()
+                     : soft_weight() * (std::min)(1., length / (full_part * quad));
+    }
+  };
+
+  std::map<Mesh::Face_index, Crossing> find_crossings(const std::vector<const Placed_curve*>& strokes) const
+  {
+    // Along a stroke, in parts of the length of quads: short against the triangles.
+    const double step = 0.05;
+    std::map<Mesh::Face_index, Crossing> crossings;
+    for(const Placed_curve* stroke : strokes)
+      for(const Guide_piece& piece : stroke->pieces)
+      {
+        const Vector_3 along = piece.to - piece.from;
+        const double length = std::sqrt(along.squared_length());
+        const double quad = m_surface.length[face_at(midpoint(piece.from, piece.to), piece.normal)];
+        const int n = (std::max)(1, static_cast<int>(std::ceil(length / (step * quad))));
+        for(int i = 0; i < n; ++i)
+        {
+          const Mesh::Face_index f = face_at(piece.from + ((i + 0.5) / n) * along, piece.normal);
+          Vector_3 x, y;
+          if(!triangle_axes(corners(f), x, y))
+            continue;
+          const std::complex<double> d(along * x, along * y);
+          if(!(std::abs(d) > 0))
+            continue;
+          Crossing& c = crossings[f];
+          const double part = length / n;
+          c.x = x;
+          c.y = y;
+          c.direction += part * std::pow(d / std::abs(d), 4);
+          c.length += part;
+          if(std::isinf(stroke->weight))
+            c.is_hard = true;
+          else
+            c.weight += part * stroke->weight;
+        }
+      }
+    return crossings;
+  }
+
+  Point_3 center(Mesh::Face_index f) const
+  {
+    const std::array<Point_3, 3> t = corners(f);
+    return centroid(t[0], t[1], t[2]);
+  }
+
+  double area(Mesh::Face_index f) const
+  {
+    const std::array<Point_3, 3> t = corners(f);
+    return std::sqrt(cross_product(t[1] - t[0], t[2] - t[0]).squared_length()) / 2;
+  }
+
   typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
   typedef AABB_tree<Aabb_traits<Quadrangulation_kernel, Primitive>> Tree;
 

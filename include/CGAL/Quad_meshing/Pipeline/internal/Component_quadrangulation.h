@@ -191,12 +191,13 @@ private:
     if(!m_request.wishes.strokes.empty() || !m_request.wishes.indices.empty())
     {
       Component_guides guides(*m_surface, m_work.largest_distance());
-      guides.follow_strokes(m_request.wishes.strokes, directions.direction, directions.weight);
+      guides.follow_strokes(m_request.wishes.strokes, directions.direction, directions.weight, directions.importance);
       directions.index = guides.prescribe(m_request.wishes.indices);
       unmet = guides.unmet;
     }
     if(m_request.has_curves)
       directions.is_node = Component_guides::nodes_of_curves(*m_surface);
+    directions.has_releasable_curves = m_request.has_curves && !m_request.has_features;
     quads = search_component(
       *m_surface, directions,
       { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor,
@@ -237,6 +238,26 @@ private:
     return false;
   }
 
+  // Where lengths change, the field has to turn with them: directions of the surface count less, the steeper they do.
+  double share_of_alignment(Mesh::Face_index f) const
+  {
+    if(!m_request.is_graded)
+      return 1;
+    const double half_slope = 0.05; // of the length, at which they count half
+    const Mesh& mesh = m_surface->mesh;
+    auto center = [&](Mesh::Face_index g)
+    {
+      const Mesh::Halfedge_index h = mesh.halfedge(g);
+      return centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    };
+    double slope = 0;
+    for(Mesh::Face_index g : mesh.faces_around_face(mesh.halfedge(f)))
+      if(g != Mesh::null_face() && center(g) != center(f))
+        slope = (std::max)(slope, std::abs(m_surface->length[g] - m_surface->length[f]) /
+                                    std::sqrt(squared_distance(center(g), center(f))));
+    return 1 / (1 + square(slope / half_slope));
+  }
+
   // Those of the user are hard, those of the surface are soft.
   bool find_directions(Grid_map_search::Directions& directions)
   {
@@ -264,7 +285,7 @@ private:
     }
     for(Mesh::Face_index f : mesh.faces())
     {
-      directions.weight[f] *= m_options.curvature_alignment * weight_of_alignment;
+      directions.weight[f] *= m_options.curvature_alignment * weight_of_alignment * share_of_alignment(f);
       if(!m_directions.empty() && m_directions[m_work.input_face(f)])
       {
         directions.direction[f] = m_directions[m_work.input_face(f)];

@@ -153,8 +153,8 @@ private:
     return best;
   }
 
-  // Calls a function for parts of a curve, a tenth of the longest edge long at most: with the middle, the direction, the
-  // normal and the length.
+  // Calls a function for parts of a curve, a tenth of the longest edge long at most: with the middle, the direction,
+  // the normal and the length.
   template <typename Function>
   void for_each_part(const Placed_curve& curve, const Function& function) const
   {

@@ -38,8 +38,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// A quadrangulation that is symmetric to planes: one half of the surface, or a quarter or an eighth, is meshed, with the
-// cuts as features, and mirrored.
+// A quadrangulation that is symmetric to planes: one half of the surface, or a quarter or an eighth, is meshed, with
+// the cuts as features, and mirrored.
 class Symmetric_quadrangulation
 {
   typedef Quadrangulation_mesh Mesh;
