@@ -63,6 +63,32 @@ public:
 
   Point_3 closest(const Point_3& p) const { return m_tree.closest_point(p); }
 
+  // The center of the surface, and the matrix of its second moments about it, over its area: the integrals over the
+  // triangles.
+  Vector_3 moments(Eigen::Matrix3d& second) const
+  {
+    double area = 0;
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    second.setZero();
+    for(const Triangle_3& t : m_triangles)
+    {
+      const double a = std::sqrt(t.squared_area());
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for(int k = 0; k < 3; ++k)
+      {
+        const Eigen::Vector3d p(t[k].x(), t[k].y(), t[k].z());
+        sum += p;
+        second += a / 12 * p * p.transpose();
+      }
+      second += a / 12 * sum * sum.transpose();
+      first += a / 3 * sum;
+      area += a;
+    }
+    first /= area;
+    second = second / area - first * first.transpose();
+    return Vector_3(first.x(), first.y(), first.z());
+  }
+
   // Points that lie evenly on the surface, the same at each call.
   std::vector<Point_3> samples(int n) const
   {
@@ -106,14 +132,10 @@ public:
 
   Mirror run()
   {
-    Vector_3 center(0, 0, 0);
-    for(const Point_3& p : m_samples)
-      center = center + (p - ORIGIN) / number_of_samples;
     for(int c = 0; c < 3; ++c)
       try_plane(m_surface.box_center(), Vector_3(c == 0, c == 1, c == 2), false);
-    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-    for(const Point_3& p : m_samples)
-      inertia += column(p - (ORIGIN + center)) * column(p - (ORIGIN + center)).transpose();
+    Eigen::Matrix3d inertia;
+    const Vector_3 center = m_surface.moments(inertia);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
     for(int c = 0; c < 3; ++c)
       try_plane(ORIGIN + center, vector(axes.eigenvectors().col(c)), true);
@@ -134,11 +156,14 @@ public:
       ++tried;
       try_plane(midpoint(p, q), d / length, true);
     }
+    try_plane(m_best_point, m_best_normal, true, last_rounds);
     return Mirror(m_best_point, m_best_normal);
   }
 
 private:
-  static constexpr int number_of_samples = 1000, first_samples = 40, most_pairs = 200000, most_planes = 400, rounds = 8;
+  static constexpr int number_of_samples = 1000, first_samples = 40, most_pairs = 200000, most_planes = 400,
+                       few_rounds = 8,
+                       last_rounds = 40; // of the best plane
 
   static Eigen::Vector3d column(const Vector_3& v) { return Eigen::Vector3d(v.x(), v.y(), v.z()); }
   static Vector_3 vector(const Eigen::Vector3d& v) { return Vector_3(v.x(), v.y(), v.z()); }
@@ -155,7 +180,7 @@ private:
     return sum / n;
   }
 
-  void try_plane(Point_3 point, Vector_3 normal, bool may_move)
+  void try_plane(Point_3 point, Vector_3 normal, bool may_move, int rounds = few_rounds)
   {
     // Planes that a few samples are far off with are not worth more.
     const double hopeless = 3;

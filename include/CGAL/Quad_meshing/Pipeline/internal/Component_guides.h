@@ -68,6 +68,10 @@ public:
   {
   }
 
+  // How much more the map counts on a stroke than elsewhere, and from which importance on the smoothing leaves vertices
+  // alone, as it would turn the quads away from the stroke: within a length of a quad.
+  static constexpr double largest_importance = 50, fixed_importance = 25;
+
   std::vector<std::string> unmet; // guides that cannot be met, see `Quadrangulation_result`
 
   // Gives the faces that strokes cross their directions, and those nearby softer ones; `importance` is how much faces
@@ -177,8 +181,6 @@ private:
   // In lengths of quads: how far from a stroke faces follow it, and from where on they follow the surface as they would
   // without it. One row of quads on each side alone would be bent over by its neighbors.
   static constexpr double band_radius = 2, fading_radius = 5;
-  // How much more the map counts on the stroke than elsewhere.
-  static constexpr double largest_importance = 10;
 
   // What strokes say in a face.
   struct Crossing

@@ -210,10 +210,13 @@ private:
     return quads != nullptr;
   }
 
-  // Irregular vertices that the user has placed, and nodes of curves, stay where they are.
+  // Irregular vertices that the user has placed, nodes of curves, and what is next to strokes stay where they are.
   void find_fixed_vertices(const Grid_map_search::Directions& d)
   {
     m_fixed.assign(quads->mesh.number_of_vertices(), 0);
+    if(!d.importance.empty())
+      for(Mesh::Vertex_index v : quads->mesh.vertices())
+        m_fixed[v] = d.importance[quads->location[v].first] >= Component_guides::fixed_importance;
     for(Mesh::Vertex_index v : m_surface->mesh.vertices())
     {
       const bool is_placed = !d.index.empty() && d.index[v] && *d.index[v] != 0 && m_surface->index[v] == *d.index[v];

@@ -97,6 +97,8 @@ public:
     // The place of an irregular vertex is that of a vertex of the working mesh.
     const double near = 1; // edge lengths
     bool is_there = false;
+    int index_there = 0; // of the nearest vertex
+    double nearest_distance = std::numeric_limits<double>::infinity();
     std::size_t irregular = 0;
     for(Mesh::Vertex_index v : m_quads.vertices())
     {
@@ -105,11 +107,18 @@ public:
         continue;
       const int index = 4 - static_cast<int>(m_quads.degree(v));
       is_there = is_there || (d <= near * local && index == wish.guide->index);
+      if(d < nearest_distance)
+      {
+        nearest_distance = d;
+        index_there = index;
+      }
       irregular += d < reach && index != 0;
     }
     if(wish.guide->index == 0 && reach > 0)
       return irregular == 0 ? std::string()
                             : std::to_string(irregular) + " irregular vertices lie in the region of " + wish.name;
+    if(wish.guide->index == 0)
+      is_there = index_there == 0;
     return is_there ? std::string()
                     : "there is no vertex of index " + std::to_string(wish.guide->index) + " at " + wish.name;
   }

@@ -93,6 +93,9 @@ public:
   const Triangle_input& part() const { return m_part; }
   const Quadrangulation_options& part_options() const { return m_part_options; }
 
+  // How many images the part has, itself included.
+  std::size_t copies() const { return std::size_t(1) << m_mirrors.size(); }
+
   // Makes the whole of the quads of a part.
   void complete(Quadrangulation_result& result, std::unique_ptr<Quadrangulation_quads>& quads)
   {
@@ -114,10 +117,9 @@ public:
       quads = std::move(both);
     }
     locate(*quads);
-    const std::size_t copies = std::size_t(1) << m_mirrors.size();
-    result.quads *= copies;
-    result.other_faces *= copies;
-    result.folded_quads *= copies;
+    result.quads *= copies();
+    result.other_faces *= copies();
+    result.folded_quads *= copies();
     result.irregular_vertices = 0;
     for(Mesh::Vertex_index v : quads->mesh.vertices())
       result.irregular_vertices += quads->mesh.degree(v) != (quads->mesh.is_border(v) ? 3 : 4);

@@ -46,8 +46,14 @@ class Quadrangulation_run
   typedef Quadrangulation_status Status;
 
 public:
-  Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor)
-    : m_input(input), m_options(options), m_names(options), m_visitor(visitor, options.maximum_running_time)
+  // `copies`: how many times the quads are there in the end, with their mirror images.
+  Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor,
+                      std::size_t copies = 1)
+    : m_input(input)
+    , m_options(options)
+    , m_copies(copies)
+    , m_names(options)
+    , m_visitor(visitor, options.maximum_running_time)
   {
   }
 
@@ -491,8 +497,8 @@ private:
     if(m_keeps_number && m_result.quads > 0 && m_result.failed_components == 0 &&
        !is_as_promised(quads, m_options.target_number_of_quads))
       m_result.message +=
-        "; " + std::to_string(m_result.quads) + " quads instead of " +
-        std::to_string(std::lround(m_options.target_number_of_quads)) +
+        "; " + std::to_string(m_copies * m_result.quads) + " quads instead of " +
+        std::to_string(std::lround(static_cast<double>(m_copies) * m_options.target_number_of_quads)) +
         (quads > m_options.target_number_of_quads
            ? ", as narrow places between features, borders and singularities need at least a quad each"
          : m_options.optimize_structure ? ", as the coarser structure has room for no more"
@@ -508,6 +514,7 @@ private:
 
   const Triangle_input& m_input;
   const Quadrangulation_options& m_options;
+  const std::size_t m_copies;
   const Element_names m_names;
   Pipeline_visitor m_visitor;
   Quadrangulation_result m_result;
@@ -538,7 +545,8 @@ CGAL_QUAD_MESHING_INLINE Quadrangulation_result run_quadrangulation(const Triang
   quads = std::make_unique<Quadrangulation_quads>();
   if(!symmetric.prepare(result))
     return result;
-  result = Quadrangulation_run(symmetric.part(), symmetric.part_options(), visitor).run(surface, quads);
+  result =
+    Quadrangulation_run(symmetric.part(), symmetric.part_options(), visitor, symmetric.copies()).run(surface, quads);
   for(Quadrangulation_mesh::Face_index f : surface->mesh.faces())
     surface->origin[f] = symmetric.part().original(surface->origin[f]);
   for(Invalid_component& c : result.invalid_components)
