@@ -45,9 +45,9 @@ CGAL_QUAD_MESHING_INLINE double Length_field::adapted(int f, double factor) cons
   {
     case Sizing_method::CONSTANT: return factor * m_options.constant;
     case Sizing_method::CURVATURE:
-      // Without a tolerance, a factor of one is that of a hundredth of the constant length.
       if(m_options.tolerance > 0)
         return share_of_chord * chord_length(m_size[f], m_options.tolerance);
+      // Without a tolerance, a factor of one is that of a hundredth of the constant length.
       return chord_length(m_size[f], factor * factor * m_options.constant / 100);
     case Sizing_method::FEATURE_SIZE: return factor * m_size[f];
   }
