@@ -9,6 +9,7 @@
 // Makes a quad mesh out of a triangle mesh: the whole line, as a program.
 
 #include "command_line.h"
+#include "guide_options.h"
 #include "quad_mesh_files.h"
 #include "scene_files.h"
 #include "triangle_input.h"
@@ -149,6 +150,7 @@ int main(int argc, char* argv[])
       command_line::add_greedy_rounding(options);
       command_line::add_scene_options(options);
       command_line::add_quad_mesh_options(options);
+      guide_options::add(options);
       command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
                                    options);
       if(!args.parse(argc, argv))
@@ -214,6 +216,7 @@ int main(int argc, char* argv[])
       q.options.number_of_threads = args.number_of_threads();
       q.options.random_seed = args.random_seed();
 
+      guide_options::read(args, { tm, args.positional(0), reading }, q);
       if(args.has("time-limit"))
         q.options.maximum_running_time = args.positive_number("time-limit");
 

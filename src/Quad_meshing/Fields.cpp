@@ -8,8 +8,10 @@
 
 // The kernels of the room Fields.
 
+#include <CGAL/Quad_meshing/Fields/internal/Length_field_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/curvature_guides_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_curvature_directions_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_feature_edges_impl.h>
+#include <CGAL/Quad_meshing/Fields/internal/find_feature_sizes_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/inspect_field_impl.h>
 #include <CGAL/Quad_meshing/Fields/internal/solve_field_impl.h>

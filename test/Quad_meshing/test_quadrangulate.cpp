@@ -223,6 +223,7 @@ void test_release_near_a_face()
 {
   Mesh tm = test_meshes::make_mesh(test_meshes::grid(10, 10));
   auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  auto is_kept = tm.add_property_map<Mesh::Edge_index, bool>("e:k", false).first;
   auto on_crease = [&](Mesh::Vertex_index v) { return std::abs(tm.point(v).x() - 0.5) < 1e-9; };
   for(Mesh::Edge_index e : tm.edges())
     is_feature[e] = on_crease(tm.vertex(e, 0)) && on_crease(tm.vertex(e, 1));
@@ -234,9 +235,9 @@ void test_release_near_a_face()
     if(seed.empty() && c.x() > 0.5 && c.x() < 0.6 && c.y() < 0.1)
       seed.push_back(f);
   }
-  const double none = QM::internal::release_features(tm, std::vector<Mesh::Face_index>(), 10., is_feature);
+  const double none = QM::internal::release_features(tm, std::vector<Mesh::Face_index>(), 10., is_kept, is_feature);
   assert(none == 0);
-  const double released = QM::internal::release_features(tm, seed, 0.25, is_feature);
+  const double released = QM::internal::release_features(tm, seed, 0.25, is_kept, is_feature);
   double left = 0;
   for(Mesh::Edge_index e : tm.edges())
     left += is_feature[e] ? 0.1 : 0;

@@ -32,9 +32,25 @@
 //   work_on_input                   bool          whether field and map are made on the triangles of the input instead
 //                                                 of a working mesh; false
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
+//   vertex_sizing_map               property map  vertex -> target edge length; constant
+//   sizing_method                   Sizing_method  what lengths adapt to where none is given; CONSTANT
+//   sizing_tolerance                double        distance allowed between quads and the surface, for lengths that
+//                                                 adapt to the curvature; chosen for the number of quads
+//   smallest_edge_length            double        bound of the lengths; a quarter of the constant length
+//   largest_edge_length             double        bound of the lengths; four times the constant length
+//   size_discs                      range         of Size_disc: lengths around points; none
 //   sizing_gradation                double        largest slope of the target edge length; 0.3
 //   minimum_anisotropy              double        relative difference of the absolute principal curvatures, 0 to 1,
 //                                                 from which on a disk counts as parabolic; 0.8
+//
+// Guides
+//   feature_curves                  range         of Guide_curve: polylines that become chains of quad edges; none
+//   strokes                         range         of Guide_stroke: polylines that quads follow in direction; none
+//   symmetry_planes                 range         of Symmetry_plane: planes that the quad mesh is symmetric to; none
+//   symmetry_tolerance              double        largest distance of a mirrored vertex from the surface, over the
+//                                                 diagonal of the bounding box; 0.01
+//   index_guides                    range         of Index_guide: where irregular vertices must be or must not be; none
+//   prescribed_index_map            property map  vertex -> optional index of the cross field there; none
 //
 // Cross fields and integer-grid maps
 //   cross_field_method              Cross_field_method  how period jumps are found; POLISHED
@@ -139,6 +155,18 @@
   CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \
   CGAL_add_named_parameter(sizing_gradation_t, sizing_gradation, sizing_gradation)                  \
   CGAL_add_named_parameter(face_sizing_map_t, face_sizing_map, face_sizing_map)                     \
+  CGAL_add_named_parameter(vertex_sizing_map_t, vertex_sizing_map, vertex_sizing_map)               \
+  CGAL_add_named_parameter(sizing_method_t, sizing_method, sizing_method)                           \
+  CGAL_add_named_parameter(sizing_tolerance_t, sizing_tolerance, sizing_tolerance)                  \
+  CGAL_add_named_parameter(smallest_edge_length_t, smallest_edge_length, smallest_edge_length)      \
+  CGAL_add_named_parameter(largest_edge_length_t, largest_edge_length, largest_edge_length)         \
+  CGAL_add_named_parameter(size_discs_t, size_discs, size_discs)                                    \
+  CGAL_add_named_parameter(feature_curves_t, feature_curves, feature_curves)                        \
+  CGAL_add_named_parameter(strokes_t, strokes, strokes)                                             \
+  CGAL_add_named_parameter(symmetry_planes_t, symmetry_planes, symmetry_planes)                     \
+  CGAL_add_named_parameter(symmetry_tolerance_t, symmetry_tolerance, symmetry_tolerance)            \
+  CGAL_add_named_parameter(index_guides_t, index_guides, index_guides)                              \
+  CGAL_add_named_parameter(prescribed_index_map_t, prescribed_index_map, prescribed_index_map)      \
   CGAL_add_named_parameter(face_location_map_t, face_location_map, face_location_map)               \
   CGAL_add_named_parameter(stiffening_iterations_t, stiffening_iterations, stiffening_iterations)   \
   CGAL_add_named_parameter(structure_method_t, structure_method, structure_method)                  \

@@ -103,6 +103,80 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamType{`double`, from 0, not at all, to 1}
     \cgalParamDefault{1}
   \cgalParamNEnd
+  \cgalParamNBegin{face_sizing_map}
+    \cgalParamDescription{the length of quad edges per face, in the unit of the points; 0 or less: no wish there. If
+      there are faces
+      without a wish, their lengths are chosen so that the number of quads is right; else all lengths are multiplied by
+      one factor for that, unless `target_edge_length` is given}
+    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `double` as value type}
+    \cgalParamDefault{no wish}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_sizing_map}
+    \cgalParamDescription{the same per vertex; linear in faces. Where both maps have a wish, the shorter length counts}
+    \cgalParamType{a model of `ReadablePropertyMap` with the vertices of `tm` as keys and `double` as value type}
+    \cgalParamDefault{no wish}
+  \cgalParamNEnd
+  \cgalParamNBegin{size_discs}
+    \cgalParamDescription{lengths around points}
+    \cgalParamType{a range of `Size_disc`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_method}
+    \cgalParamDescription{what lengths adapt to where there is no wish}
+    \cgalParamType{`Sizing_method`}
+    \cgalParamDefault{`Sizing_method::CONSTANT`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_tolerance}
+    \cgalParamDescription{the distance allowed between quads and the surface with `Sizing_method::CURVATURE`, in the
+      unit of the
+      points; it takes precedence over the number of quads}
+    \cgalParamType{`double`}
+    \cgalParamDefault{the one for which the number of quads is right}
+  \cgalParamNEnd
+  \cgalParamNBegin{smallest_edge_length}
+    \cgalParamDescription{the smallest length of quad edges}
+    \cgalParamType{`double`}
+    \cgalParamDefault{a quarter of the constant length for lengths that adapt, none for those that are given}
+  \cgalParamNEnd
+  \cgalParamNBegin{largest_edge_length}
+    \cgalParamDescription{the largest length of quad edges}
+    \cgalParamType{`double`}
+    \cgalParamDefault{four times the constant length for lengths that adapt, none for those that are given}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_gradation}
+    \cgalParamDescription{the largest slope of the length along the surface}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.3}
+  \cgalParamNEnd
+  \cgalParamNBegin{feature_curves}
+    \cgalParamDescription{curves that become chains of quad edges, besides the feature edges; the surface is cut
+      along them}
+    \cgalParamType{a range of `Guide_curve`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{strokes}
+    \cgalParamDescription{curves whose direction the quads follow}
+    \cgalParamType{a range of `Guide_stroke`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{index_guides}
+    \cgalParamDescription{where irregular vertices must be, or must not be}
+    \cgalParamType{a range of `Index_guide`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{symmetry_planes}
+    \cgalParamDescription{planes, orthogonal to each other, that the quad mesh is to be symmetric to: it is mirrored.
+      A surface that is
+      not symmetric itself within `symmetry_tolerance` is refused}
+    \cgalParamType{a range of `Symmetry_plane`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{symmetry_tolerance}
+    \cgalParamDescription{the largest distance of a mirrored vertex from the surface, over the diagonal of the
+      bounding box}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.01}
+  \cgalParamNEnd
   \cgalParamNBegin{work_on_input}
     \cgalParamDescription{whether field and map are made on the triangles of the input instead of those of a working
 mesh
@@ -217,12 +291,17 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
 
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<QuadMesh>::vertex_descriptor quad_vertex_descriptor;
 
   constexpr bool takes_parameters = internal::Takes_parameters<
     NamedParameters, internal_np::target_number_of_quads_t, internal_np::target_edge_length_t,
     internal_np::sharpness_angle_t, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
-    internal_np::face_direction_map_t, internal_np::curvature_alignment_t, internal_np::work_on_input_t,
+    internal_np::face_direction_map_t, internal_np::face_sizing_map_t, internal_np::vertex_sizing_map_t,
+    internal_np::size_discs_t, internal_np::sizing_method_t, internal_np::sizing_tolerance_t,
+    internal_np::smallest_edge_length_t, internal_np::largest_edge_length_t, internal_np::sizing_gradation_t,
+    internal_np::feature_curves_t, internal_np::strokes_t, internal_np::index_guides_t, internal_np::symmetry_planes_t,
+    internal_np::symmetry_tolerance_t, internal_np::curvature_alignment_t, internal_np::work_on_input_t,
     internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
     internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t, internal_np::rounding_method_t,
     internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t, internal_np::optimize_structure_t,
@@ -231,14 +310,19 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal_np::vertex_point_t>::value;
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+  constexpr bool has_sizing_maps =
+    internal::map_parameter_is_readable<internal_np::face_sizing_map_t, NamedParameters, face_descriptor, double>() &&
+    internal::map_parameter_is_readable<internal_np::vertex_sizing_map_t, NamedParameters, vertex_descriptor, double>();
   constexpr bool has_direction_map =
     internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
   static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  static_assert(has_sizing_maps,
+                "face_sizing_map and vertex_sizing_map must give a number for every face or vertex of the mesh.");
   static_assert(has_direction_map,
                 "face_direction_map must give an optional vector for every face of the triangle mesh.");
 
   Quadrangulation_result result;
-  if constexpr(takes_parameters && has_edge_map && has_direction_map)
+  if constexpr(takes_parameters && has_edge_map && has_direction_map && has_sizing_maps)
   {
     CGAL_precondition(is_triangle_mesh(tm));
 
@@ -259,7 +343,22 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
       q.set_feature_edges(tm, get_parameter(np, internal_np::edge_is_constrained));
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_map_t>::value)
       q.set_directions(tm, get_parameter(np, internal_np::face_direction_map));
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
+      q.set_face_lengths(tm, get_parameter(np, internal_np::face_sizing_map));
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_sizing_map_t>::value)
+      q.set_vertex_lengths(tm, get_parameter(np, internal_np::vertex_sizing_map));
     Quadrangulation_options& o = q.options;
+    internal::read_range(np, internal_np::size_discs, o.size_discs);
+    internal::read_range(np, internal_np::feature_curves, o.feature_curves);
+    internal::read_range(np, internal_np::strokes, o.strokes);
+    internal::read_range(np, internal_np::index_guides, o.index_guides);
+    internal::read_range(np, internal_np::symmetry_planes, o.symmetry_planes);
+    internal::read_parameter(np, internal_np::symmetry_tolerance, o.symmetry_tolerance);
+    internal::read_parameter(np, internal_np::sizing_method, o.sizing_method);
+    internal::read_parameter(np, internal_np::sizing_tolerance, o.sizing_tolerance);
+    internal::read_parameter(np, internal_np::smallest_edge_length, o.smallest_edge_length);
+    internal::read_parameter(np, internal_np::largest_edge_length, o.largest_edge_length);
+    internal::read_parameter(np, internal_np::sizing_gradation, o.sizing_gradation);
     internal::read_parameter(np, internal_np::target_edge_length, o.target_edge_length);
     internal::read_parameter(np, internal_np::target_number_of_quads, o.target_number_of_quads);
     internal::read_parameter(np, internal_np::sharpness_angle, o.sharpness_angle);

@@ -48,6 +48,7 @@ enum class Cross_field_status
   STOPPED,             ///< the visitor asked for an early end
   NOT_A_TRIANGLE_MESH, ///< a face has not three vertices
   POINT_NOT_FINITE,    ///< a coordinate is not a finite number
+  INVALID_LENGTH,      ///< a target edge length is not a positive number
   NON_MANIFOLD_VERTEX, ///< the faces around a vertex form more than one fan; the message says which vertex
   NUMERICAL_FAILURE    ///< a linear system could not be factorized
 };
@@ -65,6 +66,7 @@ inline const char* status_name(Cross_field_status status)
     case Cross_field_status::STOPPED: return "stopped";
     case Cross_field_status::NOT_A_TRIANGLE_MESH: return "not_a_triangle_mesh";
     case Cross_field_status::POINT_NOT_FINITE: return "point_not_finite";
+    case Cross_field_status::INVALID_LENGTH: return "invalid_length";
     case Cross_field_status::NON_MANIFOLD_VERTEX: return "non_manifold_vertex";
     case Cross_field_status::NUMERICAL_FAILURE: return "numerical_failure";
   }
@@ -99,6 +101,8 @@ struct Cross_field_result
   int conflicting_faces = 0;
   /// the number of sectors between constrained edges that are left without a quad
   int empty_sectors = 0;
+  /// the number of vertices that do not have the index that `prescribed_index_map` gives them
+  int unmet_prescriptions = 0;
   /// the wall-clock time in seconds
   double seconds = 0;
 

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
+#include <CGAL/Quad_meshing/Fields/internal/face_lengths.h>
 #include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
@@ -26,6 +27,8 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -108,6 +111,21 @@ namespace Quad_meshing {
  *       than half of it to a constrained edge without being on it, if that costs little energy.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{only the smoothness counts: singularities may be anywhere and have any index}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_sizing_map}
+ *     \cgalParamDescription{the target edge length per face, positive; takes precedence over `target_edge_length`. The
+ *       field is then smooth in the metric in which all quads have the same size, the only one in which quads of these
+ *       sizes can follow it: it turns, and has singularities, where the sizes change.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
+ *     \cgalParamDefault{`target_edge_length` everywhere}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{prescribed_index_map}
+ *     \cgalParamDescription{the index that the field must have at inner vertices without constrained edges, in
+ *       quarters, at most 3; 0 forbids a singularity. `Cross_field_result::unmet_prescriptions` counts those that
+ *       could not be met: where the sum of the indices leaves no other vertex to make up for them.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and `std::optional<int>` or a
+ *       type like it as value type}
+ *     \cgalParamDefault{none is prescribed}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cross_field_method}
  *     \cgalParamDescription{how the period jumps are found}
@@ -196,8 +214,8 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
     internal_np::face_direction_map_t, internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t,
     internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
     internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t,
-    internal_np::number_of_bound_rounds_t, internal_np::visitor_t, internal_np::vertex_point_t,
-    internal_np::vertex_index_t, internal_np::face_index_t>::value;
+    internal_np::number_of_bound_rounds_t, internal_np::face_sizing_map_t, internal_np::prescribed_index_map_t,
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
@@ -264,6 +282,31 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
       weight = to_double(get(get_parameter(np, internal_np::face_direction_weight_map), f));
     internal::constrain_face(problem, static_cast<int>(get(fim, f)), get(direction, f), weight);
   }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
+  {
+    std::vector<double> lengths(mesh.number_of_faces());
+    for(auto f : faces(tm))
+    {
+      lengths[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
+      if(!(lengths[get(fim, f)] > 0) || !std::isfinite(lengths[get(fim, f)]))
+        return finish(Cross_field_status::INVALID_LENGTH, "A target edge length is not a positive number.");
+    }
+    const bool is_constant =
+      std::all_of(lengths.begin(), lengths.end(), [&](double l) { return l == lengths.front(); });
+    if(!is_constant)
+      problem.set_lengths(lengths);
+    if(!lengths.empty())
+      options.target_edge_length = is_constant ? lengths.front() : internal::mean_length(mesh, lengths);
+  }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::prescribed_index_map_t>::value)
+  {
+    for(auto v : vertices(tm))
+      if(const auto i = get(get_parameter(np, internal_np::prescribed_index_map), v))
+      {
+        problem.prescribed_quads.resize(mesh.number_of_vertices(), internal::Field_problem::any_quads);
+        problem.prescribed_quads[get(vim, v)] = 4 - *i;
+      }
+  }
   problem.find_components();
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 
@@ -293,10 +336,18 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
     put(index, v, i);
     result.singularities += i != 0;
     result.index_sum += i;
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::prescribed_index_map_t>::value)
+    {
+      const auto wish = get(get_parameter(np, internal_np::prescribed_index_map), v);
+      result.unmet_prescriptions += wish && *wish != i;
+    }
   }
   if(status == Cross_field_status::EMPTY_SECTORS)
     return finish(status, "The cross field was computed, but " + std::to_string(result.empty_sectors) +
                             " sectors between two constrained edges have no room for a quad.");
+  if(result.unmet_prescriptions != 0)
+    return finish(status, "The cross field was computed, but " + std::to_string(result.unmet_prescriptions) +
+                            " vertices do not have the index that is prescribed.");
   return finish(status, "The cross field was computed.");
 }
 

@@ -59,6 +59,11 @@ namespace Quad_meshing {
  *     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key and `bool` as value type}
  *     \cgalParamDefault{no edge}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_sizing_map}
+ *     \cgalParamDescription{the target edge length per face, positive; takes precedence over `target_edge_length`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
+ *     \cgalParamDefault{`target_edge_length` everywhere}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
  *     \cgalParamDefault{`Default_visitor`}
@@ -97,8 +102,8 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
       Visitor_reference;
 
   constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::visitor_t,
-                               internal_np::vertex_point_t, internal_np::vertex_index_t,
+    internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
+                               internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
                                internal_np::face_index_t>::value;
   static_assert(takes_parameters, "curvature_directions() does not take one of the named parameters.");
   static_assert(internal::Is_optional_like<Optional_direction>::value,
@@ -122,10 +127,18 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
   internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
   std::vector<internal::Indexed_triangle_mesh::Vector_3> directions;
   std::vector<double> weights;
-  result = internal::find_curvature_directions(mesh, target_edge_length, features, any_visitor, directions, weights);
+  const auto fim = internal::face_numbers(tm, np);
+  std::vector<double> lengths;
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
+  {
+    lengths.resize(mesh.number_of_faces());
+    for(auto f : faces(tm))
+      lengths[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
+  }
+  result =
+    internal::find_curvature_directions(mesh, target_edge_length, lengths, features, any_visitor, directions, weights);
   if(!result.is_valid())
     return result;
-  const auto fim = internal::face_numbers(tm, np);
   for(auto f : faces(tm))
   {
     const auto i = get(fim, f);

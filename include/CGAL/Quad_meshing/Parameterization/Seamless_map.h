@@ -160,7 +160,8 @@ private:
 
     constexpr bool takes_parameters =
       internal::Takes_parameters<NamedParameters, internal_np::target_edge_length_t, internal_np::face_sizing_map_t,
-                                 internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
+                                 internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
+                                 internal_np::face_direction_weight_map_t, internal_np::align_boundary_t,
                                  internal_np::rounding_method_t, internal_np::anisotropy_weight_t,
                                  internal_np::stiffening_iterations_t, internal_np::number_of_threads_t,
                                  internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
@@ -226,6 +227,8 @@ private:
         problem.sizing[i] = length;
       else
         problem.sizing[i] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_weight_map_t>::value)
+        problem.weight[i] = to_double(get(get_parameter(np, internal_np::face_direction_weight_map), f));
       if(!(problem.sizing[i] > 0) || !std::isfinite(problem.sizing[i]))
         return finished(Status::INVALID_LENGTH, "The target edge length is not a positive number.");
     }
@@ -240,6 +243,8 @@ private:
     {
       const int i = static_cast<int>(get(vim, v)), h = mesh.halfedge_of_vertex[i];
       const bool on_border = h != -1 && mesh.opposite[h] == -1;
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+        problem.is_node[i] = get(get_parameter(np, internal_np::vertex_is_constrained), v);
       problem.quarters[i] = !on_border ? 4 - get(index, v) : align_boundary ? 2 - get(index, v) : -1;
     }
 

@@ -67,6 +67,17 @@ face
     \cgalParamType{a model of `ReadablePropertyMap` with the edges as keys and `bool` as value type}
     \cgalParamDefault{no edge}
   \cgalParamNEnd
+  \cgalParamNBegin{face_direction_weight_map}
+    \cgalParamDescription{how much a face counts, besides its area: where it is large, the map follows the cross field
+      and the lengths more exactly than elsewhere}
+    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tm` as keys and `double` as value type, positive}
+    \cgalParamDefault{1 everywhere}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{vertices that become vertices of quads: they lie on grid points, whatever their index is}
+    \cgalParamType{a model of `ReadablePropertyMap` with the vertices of `tm` as keys and `bool` as value type}
+    \cgalParamDefault{the singular vertices alone}
+  \cgalParamNEnd
   \cgalParamNBegin{align_boundary}
     \cgalParamDescription{whether border edges have to lie on grid lines; the field must be aligned likewise}
     \cgalParamType{`bool`}

@@ -37,6 +37,8 @@ struct Grid_map_plan
   /// Feature edges with an end this near to the folded triangles of the best attempt are released: they need not be
   /// followed. In target edge lengths; 0 releases none.
   double release_radius = 0;
+  /// Whether curves of the user are released as well (`Quadrangulation_options::feature_curves`).
+  bool releases_curves = false;
 };
 
 /*!
@@ -50,6 +52,8 @@ struct Grid_map_situation
   unsigned int random_seed = 0;
   /// Whether there are feature edges that may be released: detected ones, not those of the user.
   bool has_releasable_features = false;
+  /// Whether there are curves of the user.
+  bool has_curves = false;
   /// The number of quads that was asked for; 0 if an edge length was.
   double requested_quads = 0;
 
@@ -90,6 +94,8 @@ folded triangles.
 `POLISHED`.
 - "release within 2", "release within 4", "release within 8": without the detected feature edges that are this near to
 folded triangles.
+- "release curves within 2", "release curves within 8": without the curves of the user there, the last resort; the
+answer names them.
 - "finer", "still finer": where the map has no folded triangle, but its grid is too coarse for a mesh.
 - "nearer number", "still nearer number": another length where the number of quads is far from the one asked for.
 */

@@ -75,6 +75,21 @@ public:
     internal::set_directions(tm, face_direction, m_input);
   }
 
+  /// gives the length of quad edges per face, in the unit of the points; 0 or less: no wish there.
+  template <typename TriangleMesh, typename FaceSizingMap>
+  void set_face_lengths(const TriangleMesh& tm, FaceSizingMap face_length)
+  {
+    internal::set_face_lengths(tm, face_length, m_input);
+  }
+
+  /// gives the length of quad edges per vertex, in the unit of the points; 0 or less: no wish in the faces around. In
+  /// faces it is linear.
+  template <typename TriangleMesh, typename VertexSizingMap>
+  void set_vertex_lengths(const TriangleMesh& tm, VertexSizingMap vertex_length)
+  {
+    internal::set_vertex_lengths(tm, vertex_length, m_input);
+  }
+
   /// runs all the stages, anew if they ran before. If the visitor stops them, what they left behind is empty.
   template <typename Visitor>
   Quadrangulation_result run(Visitor& visitor)

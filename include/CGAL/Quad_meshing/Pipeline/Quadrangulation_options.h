@@ -10,6 +10,11 @@
 #define CGAL_QUAD_MESHING_PIPELINE_QUADRANGULATION_OPTIONS_H
 
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
+#include <CGAL/Quad_meshing/Fields/Sizing_method.h>
+#include <CGAL/Quad_meshing/Guides/Guide_curve.h>
+#include <CGAL/Quad_meshing/Guides/Index_guide.h>
+#include <CGAL/Quad_meshing/Guides/Size_disc.h>
+#include <CGAL/Quad_meshing/Guides/Symmetry_plane.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Pipeline/Grid_map_plan.h>
 
@@ -31,8 +36,35 @@ struct Quadrangulation_options
 {
   double target_edge_length = 0;        ///< in the unit of the points; 0: from `target_number_of_quads` and the area
   double target_number_of_quads = 4000; ///< counts only where `target_edge_length` is 0
-  double sharpness_angle = 40;          ///< in degrees, for the detection of feature edges
-  bool align_boundary = true;           ///< whether borders become chains of quad edges
+  /// \name Sizes
+  /// Where the user gives no length for a place, what it adapts to, its bounds, and how fast it may change. If there
+  /// are places without a given length, their lengths are scaled until the number of quads is right; else those that
+  /// are given are.
+  /// @{
+  Sizing_method sizing_method = Sizing_method::CONSTANT;
+  /// The distance allowed between quads and the surface with `Sizing_method::CURVATURE`, in the unit of the points; it
+  /// takes precedence over the number of quads. 0: it is chosen for the number of quads.
+  double sizing_tolerance = 0;
+  double smallest_edge_length = 0;   ///< 0: a quarter of the constant length, and no bound for lengths that are given
+  double largest_edge_length = 0;    ///< 0: four times the constant length, and no bound for lengths that are given
+  double sizing_gradation = 0.3;     ///< the largest slope of the length along the surface
+  std::vector<Size_disc> size_discs; ///< lengths around points
+  /// @}
+
+  /// \name Guides
+  /// What the user has drawn.
+  /// @{
+  std::vector<Guide_curve> feature_curves;     ///< become chains of quad edges, besides the feature edges
+  std::vector<Guide_stroke> strokes;           ///< the quads follow their direction
+  std::vector<Index_guide> index_guides;       ///< where irregular vertices must be or must not be
+  std::vector<Symmetry_plane> symmetry_planes; ///< orthogonal to each other; the quad mesh is symmetric to them
+  /// The largest distance of a vertex, mirrored in a plane of symmetry, from the surface, over the diagonal of the
+  /// bounding box: surfaces that differ more from their mirror images are refused.
+  double symmetry_tolerance = 0.01;
+  /// @}
+
+  double sharpness_angle = 40; ///< in degrees, for the detection of feature edges
+  bool align_boundary = true;  ///< whether borders become chains of quad edges
   /// How the singularities of the field are found.
   Cross_field_method cross_field_method = Cross_field_method::POLISHED;
   double rounding_tolerance = 3e-4;    ///< of fields by greedy rounding, as the next three: see `smooth_cross_field()`

@@ -25,7 +25,8 @@ enum class Quadrangulation_status
   FAILED,        ///< there is no mesh
   INVALID_INPUT, ///< the input cannot be used; nothing was done
   STOPPED,       ///< the visitor asked for an early end; there is no mesh
-  OUT_OF_TIME    ///< the time was up before there was a mesh
+  OUT_OF_TIME,   ///< the time was up before there was a mesh
+  REFUSED        ///< a guide asks for what this surface cannot have; nothing was done
 };
 
 /// \ingroup PkgQuadMeshingRef
@@ -40,6 +41,7 @@ inline const char* status_name(Quadrangulation_status status)
     case Quadrangulation_status::INVALID_INPUT: return "invalid_input";
     case Quadrangulation_status::STOPPED: return "stopped";
     case Quadrangulation_status::OUT_OF_TIME: return "out_of_time";
+    case Quadrangulation_status::REFUSED: return "refused";
   }
   return "";
 }
@@ -78,6 +80,9 @@ struct Quadrangulation_result
   std::size_t failed_components = 0; ///< of which there is no mesh
   /// Those that have no mesh or one that is not valid; the message names the first of them.
   std::vector<Invalid_component> invalid_components;
+  /// The wishes of the user (`Quadrangulation_options`, "Guides") that the mesh does not meet, each with what it is
+  /// like instead, without a period; the message lists them.
+  std::vector<std::string> unmet_guides;
   std::size_t divided_vertices = 0; ///< vertices in which borders touch; each fan of triangles has one of its own
 
   /// The edge length that was used, in the unit of the points; that of the largest component, if it differs between

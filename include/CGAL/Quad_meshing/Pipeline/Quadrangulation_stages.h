@@ -43,6 +43,8 @@ struct Quadrangulation_surface
   Mesh mesh;
   Mesh::Property_map<Mesh::Face_index, std::size_t> origin; ///< the number of the input face that a face lies in, or at
   Mesh::Property_map<Mesh::Edge_index, bool> is_feature;    ///< the feature edges that the quads follow
+  Mesh::Property_map<Mesh::Edge_index, bool> is_kept;       ///< those of them that are never released: the user's
+  Mesh::Property_map<Mesh::Face_index, double> length;      ///< the target edge length, in the unit of the points
   Mesh::Property_map<Mesh::Face_index, double> angle;       ///< the cross field
   Mesh::Property_map<Mesh::Edge_index, int> period_jump;    ///< the cross field
   Mesh::Property_map<Mesh::Vertex_index, int> index;        ///< the singularities of the cross field, in quarters
@@ -52,6 +54,8 @@ struct Quadrangulation_surface
   Quadrangulation_surface()
     : origin(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:origin", 0).first)
     , is_feature(mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first)
+    , is_kept(mesh.add_property_map<Mesh::Edge_index, bool>("e:is_kept", false).first)
+    , length(mesh.add_property_map<Mesh::Face_index, double>("f:length", 0).first)
     , angle(mesh.add_property_map<Mesh::Face_index, double>("f:angle", 0).first)
     , period_jump(mesh.add_property_map<Mesh::Edge_index, int>("e:period_jump", 0).first)
     , index(mesh.add_property_map<Mesh::Vertex_index, int>("v:index", 0).first)

@@ -151,6 +151,13 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
  *     \cgalParamDefault{a constant map: no edge is constrained. The vertices of constrained edges of
  *                       `qm` then slide along the polylines that these edges form in the input.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_sizing_map}
+ *     \cgalParamDescription{the length of quad edges per face of `tm`, positive, in any unit: quads aim at areas in
+ *       proportion to its squares}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
+ *     \cgalParamDefault{quads aim at the areas of their neighbors}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \return what was done, with the measures before and after

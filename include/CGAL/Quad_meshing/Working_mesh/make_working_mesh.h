@@ -20,6 +20,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <array>
@@ -61,6 +62,12 @@ namespace Quad_meshing {
  *     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh` as key and `bool` as
  *       value type}
  *     \cgalParamDefault{no edge}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_sizing_map}
+ *     \cgalParamDescription{the edge length of the quads per face, positive: triangles are as fine as the quads there}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh` as key and `double` as
+ *       value type}
+ *     \cgalParamDefault{`target_edge_length` everywhere}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the stage and may stop it, see `Default_visitor`; pass it by `std::ref`}
@@ -126,8 +133,8 @@ Working_mesh_result make_working_mesh(const TriangleMesh& tm, double target_edge
       Visitor_reference;
 
   constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParametersTM, internal_np::edge_is_constrained_t, internal_np::visitor_t,
-                               internal_np::vertex_point_t, internal_np::vertex_index_t,
+    internal::Takes_parameters<NamedParametersTM, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
+                               internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
                                internal_np::face_index_t>::value &&
     internal::Takes_parameters<NamedParametersWM, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
                                internal_np::input_face_map_t>::value;
@@ -148,13 +155,20 @@ Working_mesh_result make_working_mesh(const TriangleMesh& tm, double target_edge
   internal::Reference_surface input(internal::make_indexed_triangle_mesh(tm, np_tm));
   std::vector<char> features(input.mesh().number_of_edges(), 0);
   internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i) { features[i] = get(is_feature, e); });
+  const auto fim = internal::face_numbers(tm, np_tm);
+  std::vector<double> lengths;
+  if constexpr(!is_default_parameter<NamedParametersTM, internal_np::face_sizing_map_t>::value)
+  {
+    lengths.resize(input.mesh().corners.size());
+    for(face_descriptor f : faces(tm))
+      lengths[get(fim, f)] = to_double(get(get_parameter(np_tm, internal_np::face_sizing_map), f));
+  }
   internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
   internal::Working_triangles triangles;
-  result = internal::build_working_mesh(input, features, target_edge_length, any_visitor, triangles);
+  result = internal::build_working_mesh(input, features, target_edge_length, lengths, any_visitor, triangles);
   if(!result.is_valid())
     return result;
 
-  const auto fim = internal::face_numbers(tm, np_tm);
   std::vector<face_descriptor> input_faces(input.mesh().corners.size());
   for(face_descriptor f : faces(tm))
     input_faces[get(fim, f)] = f;

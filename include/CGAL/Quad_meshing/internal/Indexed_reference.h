@@ -17,6 +17,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <array>
@@ -34,6 +35,7 @@ struct Indexed_reference
 {
   Indexed_triangle_mesh mesh;
   Curve_segments features, borders; // by the points of the mesh; no border belongs to the features
+  std::vector<double> length;       // per face: of quad edges there, relative to each other; empty: left as they are
 };
 
 // Copies a triangle mesh; reads its named parameters `vertex_point_map` and `edge_is_constrained_map`.
@@ -52,13 +54,20 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
   const auto ecm = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                     Static_boolean_property_map<edge_descriptor, false>());
   const auto vim = vertex_numbers(tm, np);
-  Indexed_reference reference{ make_indexed_triangle_mesh(tm, vpm, vim, face_numbers(tm, np)), {}, {} };
+  Indexed_reference reference{ make_indexed_triangle_mesh(tm, vpm, vim, face_numbers(tm, np)), {}, {}, {} };
   for(edge_descriptor e : edges(tm))
   {
     const bool is_on_border = is_border(e, tm);
     if(is_on_border || get(ecm, e))
       (is_on_border ? reference.borders : reference.features)
         .push_back({ { static_cast<int>(get(vim, source(e, tm))), static_cast<int>(get(vim, target(e, tm))) } });
+  }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
+  {
+    const auto fim = face_numbers(tm, np);
+    reference.length.resize(reference.mesh.corners.size());
+    for(auto f : faces(tm))
+      reference.length[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
   }
   return reference;
 }

@@ -11,6 +11,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
@@ -20,6 +22,17 @@ template <typename NamedParameters, typename Tag, typename T>
 void read_parameter(const NamedParameters& np, Tag tag, T& value)
 {
   value = parameters::choose_parameter(parameters::get_parameter(np, tag), value);
+}
+
+// The same for a range of values, which becomes a vector.
+template <typename NamedParameters, typename Tag, typename T>
+void read_range(const NamedParameters& np, Tag tag, std::vector<T>& values)
+{
+  if constexpr(!parameters::is_default_parameter<NamedParameters, Tag>::value)
+  {
+    const auto& range = parameters::get_parameter(np, tag);
+    values.assign(range.begin(), range.end());
+  }
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +33,7 @@ struct Cross_field
 //
 // The residual of an inner edge e with the faces i (of `halfedge_of_edge[e]`) and j (across) is
 //   r_e = angle_i + kappa_e + pi/2 jump_e - angle_j,
+// where kappa_e is the angle between the frames of the faces, and what the sizes turn directions by (`size_turn`);
 // and the energy of a field is the sum of the squared residuals of all inner edges, and of the weighted squared
 // deviations from soft angles.
 struct Field_problem
@@ -43,9 +45,17 @@ struct Field_problem
   std::vector<double> given_angle; // per face
   std::vector<double> soft_angle;  // per face: the angle that it should have; empty where none has one
   std::vector<double> soft_weight; // per face: of the squared deviation from it, in units of the residuals
-  std::vector<int> component;      // per face
-  std::vector<int> anchor;         // per component: a free face of a component without constraint, or -1
+  // Per vertex: the target edge length; empty where it is the same everywhere. Then the field is to be smooth in the
+  // metric in which all quads have the same size.
+  std::vector<double> length;
+  std::vector<double> size_turn; // per edge: what that metric adds to kappa; empty where `length` is
+  // Per vertex: the quads that an inner vertex without aligned edges must have, or `any_quads`; empty: all are free.
+  std::vector<int> prescribed_quads;
+  std::vector<int> component; // per face
+  std::vector<int> anchor;    // per component: a free face of a component without constraint, or -1
   Field_sectors sectors;
+
+  static constexpr int any_quads = (std::numeric_limits<int>::min)();
 
   // How many faces touch two aligned edges in directions that exclude each other.
   int conflicting_faces = 0;
@@ -67,10 +77,74 @@ struct Field_problem
   // have their angle from it.
   bool is_movable(int e) const { return is_inner(e) && !aligned[e]; }
 
+  // The angle that a direction has in the second face of an edge and that is parallel to the one with angle 0 in the
+  // first.
+  double kappa(int e) const { return frames.kappa(e) + (size_turn.empty() ? 0. : size_turn[e]); }
+
   double residual(int e, const Cross_field& field) const
+  {
+    return turn(e, field) + (size_turn.empty() ? 0. : size_turn[e]);
+  }
+
+  // The residual on the surface as it is: what the numbers of quads around vertices are sums of.
+  double turn(int e, const Cross_field& field) const
   {
     return field.angle[first_face(e)] + frames.kappa(e) + quarter_turn * field.period_jump[e] -
            field.angle[second_face(e)];
+  }
+
+  // The target edge length at a vertex, or the one given where it is constant.
+  double length_at(int v, double constant) const { return length.empty() ? constant : length[v]; }
+
+  // The quads that a closed sector must have, or `any_quads`.
+  int quads_of_sector(int s) const
+  {
+    return prescribed_quads.empty() || !sectors.closed[s] ? any_quads : prescribed_quads[sectors.vertex[s]];
+  }
+
+  // Makes the field one for lengths that differ from face to face. The aligned edges must be known.
+  //
+  // Crosses are parallel in the metric of the surface over the squared length. This metric is conformal to that of the
+  // surface: a direction that is parallel in it turns, along a path, by the derivative to the left of the logarithm
+  // u of the scale, u = -log length. Across an edge from a to b, with the weight w = (cot + cot) / 2 of the dual
+  // edge, this is w (u_b - u_a). Around a vertex these turns add up to the Laplacian of u, by which the metrics'
+  // curvatures differ.
+  void set_lengths(const std::vector<double>& face_length)
+  {
+    std::vector<double> log_length(mesh.number_of_vertices(), 0.), areas(mesh.number_of_vertices(), 0.);
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      const double area = std::sqrt(cross_product(mesh.vector(h), mesh.vector(mesh.next(h))).squared_length());
+      log_length[mesh.source(h)] += area * std::log(face_length[h / 3]);
+      areas[mesh.source(h)] += area;
+    }
+    // Vertices whose faces have no area get the length of the last of them.
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if(!(areas[mesh.source(h)] > 0))
+        log_length[mesh.source(h)] = std::log(face_length[h / 3]);
+    length.assign(mesh.number_of_vertices(), 1.);
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      if(areas[v] > 0)
+        log_length[v] /= areas[v];
+      length[v] = std::exp(log_length[v]);
+    }
+    // Needles have cotangents of any size; no two neighbors are parallel across more than this.
+    const double largest_turn = quarter_turn / 2;
+    size_turn.assign(mesh.number_of_edges(), 0.);
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+      if(is_movable(e))
+      {
+        const int h = mesh.halfedge_of_edge[e];
+        double weight = 0;
+        for(int side : { h, mesh.opposite[h] })
+        {
+          const double angle = frames.corner_angle(mesh.prev(side)), sine = std::sin(angle);
+          weight += sine > 0 ? std::cos(angle) / sine / 2 : 0;
+        }
+        const double turn = weight * (log_length[mesh.source(h)] - log_length[mesh.target(h)]);
+        size_turn[e] = std::abs(turn) < largest_turn ? turn : std::copysign(largest_turn, turn);
+      }
   }
 
   double energy(const Cross_field& field) const
@@ -100,7 +174,7 @@ struct Field_problem
   // The period jump that makes the residual of an edge smallest.
   int nearest_jump(int e, double angle_i, double angle_j) const
   {
-    return static_cast<int>(std::lround((angle_j - angle_i - frames.kappa(e)) / quarter_turn));
+    return static_cast<int>(std::lround((angle_j - angle_i - kappa(e)) / quarter_turn));
   }
 
   // Turns the crosses of all faces by quarter turns so that all angles lie in [-pi/4, pi/4], and

@@ -92,7 +92,7 @@ private:
                is_for_quads = m_options.target_edge_length > 0;
     m_progress.begin_part(start_end);
     std::unique_ptr<Jump_annealing> anneal;
-    if(polished && !is_for_quads && m_problem.soft_weight.empty())
+    if(polished && !is_for_quads && m_problem.soft_weight.empty() && m_problem.prescribed_quads.empty())
     {
       anneal.reset(new Jump_annealing(m_problem, m_laplacian));
       if(!anneal->is_affordable())
@@ -115,7 +115,8 @@ private:
     Sector_quads quads(m_problem, field, m_costs, doublet_cost);
     // The search of the polished field finds better ways around vertices with less than three quads.
     const int least_valence = is_for_quads && !polished ? 3 : 0;
-    if(quads.fill(field, least_valence, m_progress))
+    const bool is_filled = quads.fill(field, least_valence, m_progress);
+    if(quads.prescribe(field, m_progress) || is_filled)
       m_laplacian.solve_angles(field);
     result.initial_energy = m_problem.energy(field);
     if(!std::isfinite(result.initial_energy))
@@ -148,7 +149,7 @@ private:
       return Cross_field_status::STOPPED;
     m_progress.begin_part(m_options.number_of_bound_rounds > 0 ? bound_begin : 1.);
     if(is_for_quads)
-      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length / 2, quads, field, m_progress);
+      merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length, quads, field, m_progress);
 
     result.empty_sectors = quads.number_of_empty_sectors();
     m_problem.normalize(field);

@@ -57,7 +57,7 @@ public:
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
       if(m_problem.is_inner(e) && is_between_given_faces(e))
       {
-        const double r = m_problem.frames.kappa(e) + m_problem.given_angle[m_problem.first_face(e)] +
+        const double r = m_problem.kappa(e) + m_problem.given_angle[m_problem.first_face(e)] +
                          quarter_turn * fixed_jump(e) - m_problem.given_angle[m_problem.second_face(e)];
         between_given_faces += r * r;
       }
@@ -166,7 +166,7 @@ private:
         m_jump_variable[e] = m_system.add_variable(true);
 
       Mixed_integer_problem::Linear_form form;
-      double constant = m_problem.frames.kappa(e);
+      double constant = m_problem.kappa(e);
       if(m_angle_variable[f] != -1)
         form.emplace_back(m_angle_variable[f], 1.);
       else

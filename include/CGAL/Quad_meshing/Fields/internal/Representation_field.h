@@ -99,7 +99,7 @@ private:
   Complex transport(int h) const
   {
     const int e = m_mesh.edge_of[h];
-    const double kappa = m_problem.frames.kappa(e);
+    const double kappa = m_problem.kappa(e);
     return std::polar(1., m_mesh.halfedge_of_edge[e] == h ? 4 * kappa : -4 * kappa);
   }
 

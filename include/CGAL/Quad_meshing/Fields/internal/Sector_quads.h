@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -36,11 +37,11 @@ public:
     : m_problem(&problem)
     , m_singularity_cost(singularity_cost)
     , m_doublet_cost(doublet_cost)
-    , m_may_cost(doublet_cost > 0 ||
+    , m_may_cost(doublet_cost > 0 || !problem.prescribed_quads.empty() ||
                  std::any_of(singularity_cost.begin(), singularity_cost.end(), [](double c) { return c > 0; }))
   {
     set_state(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
-                               [&](int e) { return problem.residual(e, field); }));
+                               [&](int e) { return problem.turn(e, field); }));
   }
 
   const State& state() const { return m_quads; }
@@ -125,7 +126,42 @@ public:
     return has_changed;
   }
 
+  // Gives every sector the quads that are prescribed there, by changes of jumps along the cheapest paths to sectors
+  // where any number will do, or where one is missing. Returns whether anything changed.
+  bool prescribe(Cross_field& field, Stage_progress& progress)
+  {
+    bool has_changed = false;
+    if(m_problem->prescribed_quads.empty())
+      return false;
+    for(int s = 0; s < m_problem->sectors.number_of_sectors(); ++s)
+      while(lack(s) != 0 && progress.go_further())
+      {
+        const int gain = lack(s) > 0 ? 1 : -1;
+        // Sectors without a prescription are left with a quad.
+        auto can_change = [&](int t)
+        {
+          if(m_problem->quads_of_sector(t) != Field_problem::any_quads)
+            return lack(t) * gain < 0;
+          return gain < 0 || m_quads[t] > 1;
+        };
+        if(!move_quad(s, gain, field, can_change))
+          break;
+        has_changed = true;
+      }
+    return has_changed;
+  }
+
 private:
+  // More than any field saves by a singularity in another place.
+  static constexpr double prescription_cost = 1000;
+
+  // How many quads a sector has less than prescribed.
+  int lack(int s) const
+  {
+    const int prescribed = m_problem->quads_of_sector(s);
+    return prescribed == Field_problem::any_quads ? 0 : prescribed - m_quads[s];
+  }
+
   void set_valences()
   {
     m_valence.assign(m_problem->mesh.number_of_vertices(), 0);
@@ -154,7 +190,12 @@ private:
 
   double cost_of(int s, int k) const
   {
-    if(!m_problem->sectors.closed[s] || k == 4)
+    if(!m_problem->sectors.closed[s])
+      return 0;
+    const int prescribed = m_problem->quads_of_sector(s);
+    if(prescribed != Field_problem::any_quads)
+      return prescription_cost * std::abs(k - prescribed);
+    if(k == 4)
       return 0;
     return m_singularity_cost[m_problem->sectors.vertex[s]] + (k < 3 ? m_doublet_cost * (3 - k) : 0);
   }
@@ -191,6 +232,14 @@ private:
 
   bool fetch_quad(int receiver, Cross_field& field, int least_valence)
   {
+    return move_quad(receiver, 1, field, [&](int s) { return !lacks_quads(s, m_quads[s] - 1, least_valence); });
+  }
+
+  // Brings a quad to a sector (`gain` 1) from the nearest one that may lose it, or takes one away (-1) to the nearest
+  // one that may have it.
+  template <typename May_change>
+  bool move_quad(int receiver, int gain, Cross_field& field, const May_change& may_change)
+  {
     const Indexed_triangle_mesh& m = m_problem->mesh;
     // The self-energy of a jump, see Jump_polish; keeps the lengths of all steps positive.
     const double self_energy = quarter_turn * quarter_turn / 3;
@@ -202,13 +251,13 @@ private:
     int s;
     for(double length; front.pop(s, length);)
     {
-      if(s != receiver && !lacks_quads(s, m_quads[s] - 1, least_valence))
+      if(s != receiver && may_change(s))
       {
         for(int t = s; t != receiver; t = m_problem->sectors.of_corner[from_halfedge[t]])
         {
           // The halfedge leaves the sector that receives.
           const int e = m.edge_of[from_halfedge[t]];
-          const int by = m.halfedge_of_edge[e] == from_halfedge[t] ? -1 : 1;
+          const int by = m.halfedge_of_edge[e] == from_halfedge[t] ? -gain : gain;
           field.period_jump[e] += by;
           change_jump(e, by);
         }
@@ -220,7 +269,7 @@ private:
         const int e = m.edge_of[h];
         if(m_problem->is_movable(e))
         {
-          const int by = m.halfedge_of_edge[e] == h ? -1 : 1;
+          const int by = m.halfedge_of_edge[e] == h ? -gain : gain;
           const int t = m_problem->sectors.of_corner[m.next(h)];
           const double step =
             (std::max)(shortest_step, self_energy + 2 * quarter_turn * by * m_problem->residual(e, field));

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Stage_progress.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 
 #include <vector>
@@ -26,6 +27,15 @@ find_salient_directions(const Indexed_triangle_mesh& mesh, double target_edge_le
                         Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction);
 
 // The target edge length of every face; see `curvature_sizing()`.
+// The radius of curvature where the surface is flat.
+constexpr double flat_radius = 1e300;
+
+// The radius of the stronger principal curvature of every face, averaged over disks of at least a given radius that end
+// at features (per edge, or empty). Returns false if the visitor stops it.
+CGAL_QUAD_MESHING_INLINE bool find_curvature_radii(const Indexed_triangle_mesh& mesh,
+                                                   const std::vector<char>& is_feature, double least_disk,
+                                                   Stage_progress& progress, std::vector<double>& radius);
+
 CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_sizing(const Indexed_triangle_mesh& mesh,
                                                                       double tolerance, double minimum, double maximum,
                                                                       double gradation, Any_visitor& visitor,

@@ -11,7 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/internal/Shape_operators.h>
 #include <CGAL/Quad_meshing/Fields/internal/curvature_guides.h>
-#include <CGAL/Quad_meshing/internal/Distance_front.h>
+#include <CGAL/Quad_meshing/Fields/internal/face_lengths.h>
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
 
 #include <CGAL/Bbox_3.h>
@@ -123,6 +123,26 @@ find_salient_directions(const Indexed_triangle_mesh& m, double target_edge_lengt
   return result;
 }
 
+CGAL_QUAD_MESHING_INLINE bool find_curvature_radii(const Indexed_triangle_mesh& m, const std::vector<char>& is_feature,
+                                                   double least_disk, Stage_progress& progress,
+                                                   std::vector<double>& radius)
+{
+  // Curvature is averaged over disks of twice the mean edge length: large enough to level the angles of single edges.
+  const std::vector<double> radii(1, (std::max)(2 * mean_edge_length(m), least_disk));
+  Shape_operators operators(m, is_feature);
+  radius.resize(m.number_of_faces());
+  for(int f = 0; f < m.number_of_faces(); ++f)
+  {
+    if(f % disks_per_report == 0 && !progress.go_further(double(f) / m.number_of_faces()))
+      return false;
+    Indexed_triangle_mesh::Vector_3 x, y;
+    const std::vector<Shape_operator> s = operators(f, radii, x, y);
+    const double curvature = s.empty() ? 0. : std::abs(s.front().maximum);
+    radius[f] = curvature > 0 ? 1 / curvature : flat_radius;
+  }
+  return true;
+}
+
 CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_sizing(const Indexed_triangle_mesh& m, double tolerance,
                                                                       double minimum, double maximum, double gradation,
                                                                       Any_visitor& visitor, std::vector<double>& length)
@@ -134,34 +154,11 @@ CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_sizing(const Inde
   const Visited_stage stage(visitor, "curvature sizing");
   Stage_progress progress(visitor);
 
-  // Curvature is averaged over disks of twice the mean edge length: large enough to level the
-  // angles of single edges.
-  const std::vector<double> radii(1, 2 * mean_edge_length(m));
-
-  Shape_operators operators(m);
-  Distance_front front(m.number_of_faces());
-  for(int f = 0; f < m.number_of_faces(); ++f)
-  {
-    if(f % disks_per_report == 0 && !progress.go_further(double(f) / m.number_of_faces()))
-      return stopped_curvature_guide("edge lengths");
-    Indexed_triangle_mesh::Vector_3 x, y;
-    const std::vector<Shape_operator> s = operators(f, radii, x, y);
-    const double curvature = s.empty() ? 0. : std::abs(s.front().maximum);
-    // A chord cannot leave the arc by more than its radius.
-    const double half = curvature * tolerance < 1 ? std::sqrt(2 * tolerance / curvature - tolerance * tolerance) : 0;
-    front.reach(f, curvature > 0 ? (std::min)(maximum, (std::max)(minimum, 2 * half)) : maximum);
-  }
-
-  // Limits the slope, short lengths first.
-  int f;
-  for(double d; front.pop(f, d);)
-    for(int h = 3 * f; h < 3 * f + 3; ++h)
-      if(m.opposite[h] != -1)
-      {
-        const int g = m.opposite[h] / 3;
-        front.reach(g, d + gradation * std::sqrt((operators.centroid(g) - operators.centroid(f)).squared_length()));
-      }
-  length = front.distances();
+  if(!find_curvature_radii(m, std::vector<char>(), 0, progress, length))
+    return stopped_curvature_guide("edge lengths");
+  for(double& l : length)
+    l = (std::min)(maximum, (std::max)(minimum, chord_length(l, tolerance)));
+  limit_gradation(m, gradation, length);
   Curvature_guide_result result;
   for(double l : length)
     result.number_of_faces += l < maximum;

@@ -39,20 +39,20 @@ class Curvature_directions
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
 public:
-  Curvature_directions(const Indexed_triangle_mesh& m, double target_edge_length, const std::vector<char>& is_feature)
-    : m_operators(m, is_feature)
+  Curvature_directions(const Indexed_triangle_mesh& m, const std::vector<char>& is_feature) : m_operators(m, is_feature)
   {
     Bbox_3 box;
     for(const auto& p : m.points)
       box += p.bbox();
     m_model_radius = std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2)) / 2;
-    for(int i = 0; i < number_of_radii; ++i)
-      m_radii.push_back(target_edge_length * (smallest_radius + i * step));
   }
 
-  // Returns the reliability of the direction.
-  double operator()(int f, Vector_3& direction)
+  // Returns the reliability of the direction for quads of some size.
+  double operator()(int f, double target_edge_length, Vector_3& direction)
   {
+    m_radii.clear();
+    for(int i = 0; i < number_of_radii; ++i)
+      m_radii.push_back(target_edge_length * (smallest_radius + i * step));
     Vector_3 x, y;
     const std::vector<Shape_operator> s = m_operators(f, m_radii, x, y);
     double best = 0;
@@ -101,10 +101,14 @@ private:
 };
 
 CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
-  const Indexed_triangle_mesh& m, double target_edge_length, const std::vector<char>& is_feature, Any_visitor& visitor,
-  std::vector<Indexed_triangle_mesh::Vector_3>& direction, std::vector<double>& weight)
+  const Indexed_triangle_mesh& m, double target_edge_length, const std::vector<double>& face_length,
+  const std::vector<char>& is_feature, Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction,
+  std::vector<double>& weight)
 {
-  if(!(target_edge_length > 0) || !std::isfinite(target_edge_length))
+  auto length = [&](int f) { return face_length.empty() ? target_edge_length : face_length[f]; };
+  auto is_length = [](double l) { return l > 0 && std::isfinite(l); };
+  if(!std::all_of(face_length.begin(), face_length.end(), is_length) ||
+     (face_length.empty() && !is_length(target_edge_length)))
     return invalid_curvature_guide("The target edge length is not a positive number.");
   const Visited_stage stage(visitor, "curvature directions");
   Stage_progress progress(visitor);
@@ -115,17 +119,17 @@ CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
   // So many per quad are enough for the field.
   const double samples_per_quad = 8;
   double quads = 0; // that the next sample speaks for
-  Curvature_directions directions(m, target_edge_length, is_feature);
+  Curvature_directions directions(m, is_feature);
   Curvature_guide_result result;
   for(int f = 0; f < m.number_of_faces(); ++f)
   {
     if(f % disks_per_report == 0 && !progress.go_further(double(f) / m.number_of_faces()))
       return stopped_curvature_guide("curvature directions");
     const double area = std::sqrt(cross_product(m.vector(3 * f), m.vector(3 * f + 1)).squared_length()) / 2;
-    quads += area / (target_edge_length * target_edge_length);
+    quads += area / (length(f) * length(f));
     if(quads * samples_per_quad < 1)
       continue;
-    weight[f] = quads * directions(f, direction[f]);
+    weight[f] = quads * directions(f, length(f), direction[f]);
     result.number_of_faces += weight[f] > 0;
     quads = 0;
   }

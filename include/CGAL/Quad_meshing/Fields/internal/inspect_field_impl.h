@@ -47,12 +47,12 @@ CGAL_QUAD_MESHING_INLINE Field_defects inspect_field(const Field_problem& proble
       }
     if(!is_followed)
       defects.misaligned_edges.push_back(e);
-    else if(o != -1 && std::lround(problem.residual(e, field) / quarter_turn) != 0)
+    else if(o != -1 && std::lround(problem.turn(e, field) / quarter_turn) != 0)
       defects.edges_with_wrong_jump.push_back(e);
   }
 
   const std::vector<int> quads = quads_of_sectors(m, problem.frames, problem.aligned, problem.sectors,
-                                                  [&](int e) { return problem.residual(e, field); });
+                                                  [&](int e) { return problem.turn(e, field); });
   for(int s = 0; s < problem.sectors.number_of_sectors(); ++s)
     if((problem.sectors.closed[s] || problem.sectors.bounded[s]) && quads[s] < 1)
       defects.vertices_without_quads.push_back(problem.sectors.vertex[s]);

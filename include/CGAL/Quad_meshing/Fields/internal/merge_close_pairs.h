@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// How many quads fit into every sector: four into a closed one, and into one between aligned edges what its angle says.
-// Not a number where a border without alignment leaves the number free.
+// How many quads fit into every sector: four, or those that are prescribed, into a closed one, and into one between
+// aligned edges what its angle says. Not a number where a border without alignment leaves the number free.
 inline std::vector<double> fitting_quads(const Field_problem& problem)
 {
   const Field_sectors& sectors = problem.sectors;
@@ -34,7 +34,7 @@ inline std::vector<double> fitting_quads(const Field_problem& problem)
     result[sectors.of_corner[h]] += problem.frames.corner_angle(h) / quarter_turn;
   for(int s = 0; s < sectors.number_of_sectors(); ++s)
     if(sectors.closed[s])
-      result[s] = 4;
+      result[s] = problem.quads_of_sector(s) == Field_problem::any_quads ? 4 : problem.quads_of_sector(s);
     else if(!sectors.bounded[s])
       result[s] = std::numeric_limits<double>::quiet_NaN();
   return result;
@@ -95,11 +95,12 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
   }
 }
 
-// Annihilates the pairs of opposite singularities closer to each other than `reach`, nearest first: a map for quads of
+// Annihilates the pairs of opposite singularities closer to each other than half the target edge length, nearest
+// first: a map for quads of
 // twice this size would put both on one grid point, so what they do for the smoothness is lost on it. One of a pair
 // moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it has a
 // quad more or less than its angle fits.
-inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double reach,
+inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double target_edge_length,
                               Sector_quads& quads, Cross_field& field, Stage_progress& progress)
 {
   const std::vector<double> fitting = fitting_quads(problem);
@@ -113,7 +114,9 @@ inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian
     std::vector<Singularity_pair> pairs;
     for(int s = 0; s < n; ++s)
       if(excess(s) < -one_quad_too_many && progress.go_further())
-        find_close_partners(problem, quads.state(), fitting, s, reach, front, arrived_by, pairs);
+        find_close_partners(problem, quads.state(), fitting, s,
+                            problem.length_at(problem.sectors.vertex[s], target_edge_length) / 2, front, arrived_by,
+                            pairs);
     if(pairs.empty())
       break;
     std::stable_sort(pairs.begin(), pairs.end(),

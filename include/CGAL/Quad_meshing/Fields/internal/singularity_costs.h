@@ -30,9 +30,10 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
 
   const Indexed_triangle_mesh& m = problem.mesh;
   std::vector<double> cost(m.number_of_vertices(), 0.);
-  const double reach = target_edge_length / 2;
-  if(!(reach > 0))
+  if(!(target_edge_length > 0))
     return cost;
+  const double reach = 0.5; // in target edge lengths
+  auto relative = [&](double length, int v) { return length / problem.length_at(v, target_edge_length); };
 
   Distance_front front(m.number_of_vertices());
   auto reach_vertex = [&](int v, double d)
@@ -46,7 +47,8 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
       reach_vertex(m.source(h), 0.);
       reach_vertex(m.target(h), 0.);
       const double side = std::sqrt(m.vector(m.prev(h)).squared_length());
-      reach_vertex(m.source(m.prev(h)), side * std::abs(std::sin(problem.frames.corner_angle(h))));
+      reach_vertex(m.source(m.prev(h)),
+                   relative(side * std::abs(std::sin(problem.frames.corner_angle(h))), m.source(m.prev(h))));
     }
   std::vector<std::vector<int>> around(m.number_of_vertices());
   for(int h = 0; h < m.number_of_halfedges(); ++h)
@@ -61,7 +63,8 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
     if(d > 0)
       cost[v] = trap_cost;
     for(int h : around[v])
-      reach_vertex(m.source(h) == v ? m.target(h) : m.source(h), d + std::sqrt(m.vector(h).squared_length()));
+      reach_vertex(m.source(h) == v ? m.target(h) : m.source(h),
+                   d + relative(std::sqrt(m.vector(h).squared_length()), v));
   }
   return cost;
 }

@@ -35,7 +35,7 @@ CGAL_QUAD_MESHING_INLINE std::vector<int> field_indices(const Field_problem& pro
   const std::vector<char> undivided(m.number_of_edges(), 0);
   const Field_sectors fans = make_field_sectors(m, undivided);
   const std::vector<int> quads =
-    quads_of_sectors(m, problem.frames, undivided, fans, [&](int e) { return problem.residual(e, field); });
+    quads_of_sectors(m, problem.frames, undivided, fans, [&](int e) { return problem.turn(e, field); });
   std::vector<int> index(m.number_of_vertices(), 0);
   for(int i = 0; i < fans.number_of_sectors(); ++i)
     index[fans.vertex[i]] += (fans.closed[i] ? 4 : 2) - quads[i];

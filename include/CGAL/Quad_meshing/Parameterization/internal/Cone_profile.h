@@ -38,6 +38,14 @@ public:
   std::vector<double> weight; // per face
   std::vector<double> sizing; // per face: the target edge length
 
+  // The weights times others, per face.
+  std::vector<double> weighted(std::vector<double> other) const
+  {
+    for(std::size_t f = 0; f < weight.size(); ++f)
+      other[f] *= weight[f];
+    return other;
+  }
+
   Cone_profile(const Indexed_triangle_mesh& mesh, const Vertex_sectors& sectors, const std::vector<bool>& is_aligned,
                const std::vector<double>& target_edge_length)
     : weight(mesh.number_of_faces(), 1.)

@@ -44,14 +44,14 @@ class Integer_grid_solver
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 
-  // `quarters` per vertex: the total angle of its corners in the map, in right angles; -1 for a border vertex that need
-  // not be aligned.
+  // Per vertex: `quarters` is the total angle of its corners in the map, in right angles, or -1 for a border vertex
+  // that need not be aligned; `is_node` tells whether it lies on a grid point, singular or not.
   Integer_grid_solver(const Indexed_triangle_mesh& mesh, const std::vector<double>& angle,
                       const std::vector<int>& period_jump, const std::vector<int>& quarters,
                       const std::vector<bool>& is_aligned, const std::vector<double>& sizing,
-                      unsigned int number_of_threads, Stage_progress& progress)
+                      const std::vector<bool>& is_node, unsigned int number_of_threads, Stage_progress& progress)
     : mesh(mesh)
-    , is_singular(singular_vertices(mesh, quarters))
+    , is_singular(singular_vertices(mesh, quarters, is_node))
     , charts(mesh, angle, period_jump, is_singular)
     , coordinates(charts, is_singular, is_aligned)
     , faces(charts, sizing)
@@ -69,8 +69,8 @@ public:
   }
 
   // The map without integer conditions, fold-overs removed as far as possible: where things lie before they are
-  // rounded. Returns false if the energy could not be factorized.
-  bool solve_seamless(double anisotropy, unsigned int stiffening_iterations)
+  // rounded. `weight` per face: of its energy. Returns false if the energy could not be factorized.
+  bool solve_seamless(const std::vector<double>& weight, double anisotropy, unsigned int stiffening_iterations)
   {
     struct Reduction
     {
@@ -81,7 +81,7 @@ public:
     };
     const auto data =
       std::make_shared<Reduction>(Reduction{ Orientation_energy(coordinates, Face_gradients(charts, m_profile.sizing),
-                                                                m_profile.weight, anisotropy, &m_progress),
+                                                                m_profile.weighted(weight), anisotropy, &m_progress),
                                              coordinates.is_integer, Integer_energy(), false });
     const Orientation_energy& energy = data->energy;
     if(!m_progress.go_further() ||
@@ -343,14 +343,16 @@ private:
     }
   }
 
-  static std::vector<bool> singular_vertices(const Indexed_triangle_mesh& mesh, const std::vector<int>& quarters)
+  // Nodes count as singular: they lie on grid points as well, and charts are cut at them.
+  static std::vector<bool> singular_vertices(const Indexed_triangle_mesh& mesh, const std::vector<int>& quarters,
+                                             const std::vector<bool>& is_node)
   {
     std::vector<bool> on_border(mesh.number_of_vertices(), false), result(mesh.number_of_vertices(), false);
     for(int h = 0; h < mesh.number_of_halfedges(); ++h)
       if(mesh.opposite[h] == -1)
         on_border[mesh.source(h)] = on_border[mesh.target(h)] = true;
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      result[v] = quarters[v] != -1 && quarters[v] != (on_border[v] ? 2 : 4);
+      result[v] = quarters[v] != -1 && (is_node[v] || quarters[v] != (on_border[v] ? 2 : 4));
     return result;
   }
 };

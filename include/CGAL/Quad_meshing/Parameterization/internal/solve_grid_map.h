@@ -33,6 +33,8 @@ struct Grid_map_problem
   std::vector<int> quarters;    // per vertex: the right angles around it in the map, -1 where any number will do
   std::vector<bool> is_aligned; // per edge: it has to lie on a grid line
   std::vector<double> sizing;   // per face: the target edge length
+  std::vector<double> weight;   // per face: of its part of the energy
+  std::vector<bool> is_node;    // per vertex: it has to lie on a grid point, singular or not
 
   explicit Grid_map_problem(Indexed_triangle_mesh m)
     : mesh(std::move(m))
@@ -41,6 +43,8 @@ struct Grid_map_problem
     , quarters(mesh.number_of_vertices())
     , is_aligned(mesh.number_of_edges())
     , sizing(mesh.number_of_faces())
+    , weight(mesh.number_of_faces(), 1.)
+    , is_node(mesh.number_of_vertices(), false)
   {
   }
 };

@@ -75,13 +75,14 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::solve(Any_visi
     return Integer_grid_map_status::STOPPED;
   d.solver = std::make_unique<Integer_grid_solver>(d.problem.mesh, d.problem.angle, d.problem.period_jump,
                                                    d.problem.quarters, d.problem.is_aligned, d.problem.sizing,
-                                                   d.options.number_of_threads, d.progress);
+                                                   d.problem.is_node, d.options.number_of_threads, d.progress);
   result.variables = d.solver->coordinates.number_of_variables();
   result.integers = d.solver->number_of_integers();
   if(!d.progress.go_further(set_up))
     return Integer_grid_map_status::STOPPED;
   d.progress.begin_part(1.);
-  const bool is_solved = d.solver->solve_seamless(d.options.anisotropy_weight, d.options.stiffening_iterations);
+  const bool is_solved =
+    d.solver->solve_seamless(d.problem.weight, d.options.anisotropy_weight, d.options.stiffening_iterations);
   if(!d.progress.go_further(1.))
     return Integer_grid_map_status::STOPPED;
   if(!is_solved)

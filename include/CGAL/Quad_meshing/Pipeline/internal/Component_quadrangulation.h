@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Component_guides.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Working_surface.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/search_component.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
@@ -35,6 +36,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,10 +46,13 @@ namespace internal {
 // What one component is asked for.
 struct Component_request
 {
-  double length = 0;          // of a quad edge, in the unit of the points
+  double length = 0;          // of a quad edge, in the unit of the points; on average, if it differs
+  bool is_graded = false;     // the lengths on the surface are not all the same
   double requested_quads = 0; // 0: an edge length was asked for
   double number_of_quads = 0; // that the length stands for
   bool has_features = false;  // marked by the user: none are detected, none are released
+  bool has_curves = false;    // of the user: those of its feature edges that are kept have nodes
+  Component_wishes wishes;    // of the user
 };
 
 // The stages of a quadrangulation on one component.
@@ -76,6 +81,7 @@ public:
   Quadrangulation_result result;
   std::shared_ptr<Quadrangulation_quads> quads;                             // null: there are none
   double feature_length = 0;                                                // of the feature edges that may be released
+  std::vector<std::string> unmet;                                           // wishes of the user that contradict others
   std::size_t first_input_face = (std::numeric_limits<std::size_t>::max)(); // the smallest number of a face
 
   void run()
@@ -112,6 +118,7 @@ private:
   bool prepare()
   {
     find_features();
+    const Kept_features kept(*m_surface);
     if(!m_options.work_on_input)
     {
       const std::string stopped = m_work.make(m_request.length, m_visitor);
@@ -120,11 +127,40 @@ private:
     }
     // In target edge lengths. A map is linear on a triangle; a few triangles per quad let it bend.
     const double longest_edge = 1.5;
+    double shortest_length = m_request.length;
+    if(m_request.is_graded)
+      for(Mesh::Face_index f : m_surface->mesh.faces())
+        shortest_length = (std::min)(shortest_length, m_surface->length[f]);
+    // A working mesh has no edge that is longer for its place.
     split_for_alignment(m_surface->mesh, m_surface->mesh.points(), m_surface->is_feature, m_options.align_boundary,
-                        m_surface->origin, longest_edge * m_request.length);
+                        Inherited_values{ m_surface.get() },
+                        m_request.is_graded && !m_options.work_on_input ? 0 : longest_edge * shortest_length);
+    const double rounding = 1e-6; // in target edge lengths
+    kept.mark(*m_surface, (std::max)(m_work.largest_curve_error(), rounding * m_request.length));
     result.prepared_faces = m_surface->mesh.number_of_faces();
     return true;
   }
+
+  // What a face inherits when it is split.
+  struct Inherited_values
+  {
+    typedef Mesh::Face_index key_type;
+    typedef std::pair<std::size_t, double> value_type;
+    typedef value_type reference;
+    typedef boost::read_write_property_map_tag category;
+
+    Quadrangulation_surface* surface;
+
+    friend value_type get(const Inherited_values& m, Mesh::Face_index f)
+    {
+      return value_type(m.surface->origin[f], m.surface->length[f]);
+    }
+    friend void put(const Inherited_values& m, Mesh::Face_index f, const value_type& value)
+    {
+      m.surface->origin[f] = value.first;
+      m.surface->length[f] = value.second;
+    }
+  };
 
   void find_features()
   {
@@ -141,6 +177,14 @@ private:
       result.feature_edges = features.number_of_edges;
       result.dropped_feature_edges = features.number_of_dropped_edges;
       feature_length = features.length;
+      // Curves of the user besides.
+      for(Mesh::Edge_index e : mesh.edges())
+        if(m_surface->is_kept[e])
+        {
+          if(m_surface->is_feature[e])
+            feature_length -= std::sqrt(squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+          m_surface->is_feature[e] = true;
+        }
     }
   }
 
@@ -149,13 +193,47 @@ private:
     Grid_map_search::Directions directions;
     if(!find_directions(directions))
       return false;
+    if(!m_request.wishes.strokes.empty() || !m_request.wishes.indices.empty())
+    {
+      Component_guides guides(*m_surface, m_work.largest_distance());
+      guides.follow_strokes(m_request.wishes.strokes, directions.direction, directions.weight, directions.importance);
+      directions.index = guides.prescribe(m_request.wishes.indices);
+      unmet = guides.unmet;
+    }
+    if(m_request.has_curves)
+      directions.is_node = Component_guides::nodes_of_curves(*m_surface);
+    directions.has_releasable_curves = m_request.has_curves && !m_request.has_features;
     quads = search_component(
       *m_surface, directions,
       { m_options, m_request.length, feature_length, m_request.requested_quads, m_request.number_of_quads }, m_visitor,
       result);
     if(quads)
+    {
+      find_fixed_vertices(directions);
       m_work.move_to_input(*quads);
+    }
     return quads != nullptr;
+  }
+
+  // Irregular vertices that the user has placed, nodes of curves, and what is next to strokes stay where they are.
+  void find_fixed_vertices(const Grid_map_search::Directions& d)
+  {
+    m_fixed.assign(quads->mesh.number_of_vertices(), 0);
+    if(!d.importance.empty())
+      for(Mesh::Vertex_index v : quads->mesh.vertices())
+        m_fixed[v] = d.importance[quads->location[v].first] >= Component_guides::fixed_importance;
+    for(Mesh::Vertex_index v : m_surface->mesh.vertices())
+    {
+      const bool is_placed = !d.index.empty() && d.index[v] && *d.index[v] != 0 && m_surface->index[v] == *d.index[v];
+      if(!is_placed && (d.is_node.empty() || !d.is_node[v]))
+        continue;
+      const auto is_nearer = [&](Mesh::Vertex_index a, Mesh::Vertex_index b)
+      {
+        return squared_distance(quads->mesh.point(a), m_surface->mesh.point(v)) <
+               squared_distance(quads->mesh.point(b), m_surface->mesh.point(v));
+      };
+      m_fixed[*std::min_element(quads->mesh.vertices().begin(), quads->mesh.vertices().end(), is_nearer)] = 1;
+    }
   }
 
   // Before there is a mesh.
@@ -166,6 +244,26 @@ private:
     else
       fail(Status::OUT_OF_TIME, "The time was up before there was a mesh.");
     return false;
+  }
+
+  // Where lengths change, the field has to turn with them: directions of the surface count less, the steeper they do.
+  double share_of_alignment(Mesh::Face_index f) const
+  {
+    if(!m_request.is_graded)
+      return 1;
+    const double half_slope = 0.05; // of the length, at which they count half
+    const Mesh& mesh = m_surface->mesh;
+    auto center = [&](Mesh::Face_index g)
+    {
+      const Mesh::Halfedge_index h = mesh.halfedge(g);
+      return centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    };
+    double slope = 0;
+    for(Mesh::Face_index g : mesh.faces_around_face(mesh.halfedge(f)))
+      if(g != Mesh::null_face() && center(g) != center(f))
+        slope = (std::max)(slope, std::abs(m_surface->length[g] - m_surface->length[f]) /
+                                    std::sqrt(squared_distance(center(g), center(f))));
+    return 1 / (1 + square(slope / half_slope));
   }
 
   // Those of the user are hard, those of the surface are soft.
@@ -182,7 +280,9 @@ private:
         mesh, m_request.length,
         boost::make_iterator_property_map(directions.direction.begin(), get(boost::face_index, mesh)),
         boost::make_iterator_property_map(directions.weight.begin(), get(boost::face_index, mesh)),
-        parameters::edge_is_constrained_map(m_surface->is_feature).visitor(std::ref(m_visitor)));
+        parameters::face_sizing_map(m_surface->length)
+          .edge_is_constrained_map(m_surface->is_feature)
+          .visitor(std::ref(m_visitor)));
       if(!guides.is_valid())
       {
         if(guides.status == Curvature_guide_status::STOPPED)
@@ -193,7 +293,7 @@ private:
     }
     for(Mesh::Face_index f : mesh.faces())
     {
-      directions.weight[f] *= m_options.curvature_alignment * weight_of_alignment;
+      directions.weight[f] *= m_options.curvature_alignment * weight_of_alignment * share_of_alignment(f);
       if(!m_directions.empty() && m_directions[m_work.input_face(f)])
       {
         directions.direction[f] = m_directions[m_work.input_face(f)];
@@ -220,13 +320,18 @@ private:
   {
     Real_timer timer;
     timer.start();
+    const auto of_quads = parameters::smooth_globally(true)
+                            .edge_is_constrained_map(quads->is_feature)
+                            .vertex_is_constrained_map(
+                              boost::make_iterator_property_map(m_fixed.begin(), get(boost::vertex_index, quads->mesh)))
+                            .smoothing_iterations(m_options.smoothing_iterations)
+                            .visitor(std::ref(m_visitor));
+    const Quadrangulation_surface& input = m_work.input();
     const Quad_mesh_smoothing_result smoothing =
-      smooth_quad_mesh(quads->mesh, m_work.input().mesh,
-                       parameters::smooth_globally(true)
-                         .edge_is_constrained_map(quads->is_feature)
-                         .smoothing_iterations(m_options.smoothing_iterations)
-                         .visitor(std::ref(m_visitor)),
-                       parameters::edge_is_constrained_map(m_work.input().is_feature));
+      m_request.is_graded
+        ? smooth_quad_mesh(quads->mesh, input.mesh, of_quads,
+                           parameters::face_sizing_map(input.length).edge_is_constrained_map(input.is_feature))
+        : smooth_quad_mesh(quads->mesh, input.mesh, of_quads, parameters::edge_is_constrained_map(input.is_feature));
     result.smoothing_seconds = timer.time();
     if(m_visitor.is_stopped())
       return stop(smoothing.message);
@@ -332,6 +437,7 @@ private:
   const Quadrangulation_options& m_options;
   Pipeline_visitor& m_visitor;
   const std::vector<Component_topology> m_topology;
+  std::vector<char> m_fixed; // per vertex of the quads: it stays where it is
 };
 
 } // namespace internal

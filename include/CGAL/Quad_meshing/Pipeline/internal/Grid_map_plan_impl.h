@@ -65,6 +65,18 @@ inline Optional_plan plan_release(const Grid_map_situation& s, double radius)
   return plan;
 }
 
+// Curves that leave no room for each other are given up in places rather than the mesh.
+inline Optional_plan plan_release_curves(const Grid_map_situation& s, double radius)
+{
+  if(!is_folded(s) || !s.has_curves)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.new_field = s.method;
+  plan.release_radius = radius;
+  plan.releases_curves = true;
+  return plan;
+}
+
 // The grid of a map without fold-overs may still be too coarse for a mesh, where the surface is narrow.
 inline Optional_plan plan_finer(const Grid_map_situation& s, double relative_length)
 {
@@ -93,6 +105,8 @@ CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans(
 {
   auto release = [](double radius)
   { return [radius](const Grid_map_situation& s) { return internal::plan_release(s, radius); }; };
+  auto release_curves = [](double radius)
+  { return [radius](const Grid_map_situation& s) { return internal::plan_release_curves(s, radius); }; };
   auto finer = [](double relative_length)
   { return [relative_length](const Grid_map_situation& s) { return internal::plan_finer(s, relative_length); }; };
   return { { "as requested", internal::plan_as_requested },
@@ -101,6 +115,8 @@ CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans(
            { "release within 2", release(2) },
            { "release within 4", release(4) },
            { "release within 8", release(8) },
+           { "release curves within 2", release_curves(2) },
+           { "release curves within 8", release_curves(8) },
            { "finer", finer(0.95) },
            { "still finer", finer(0.9) },
            { "nearer number", internal::plan_nearer_number },

@@ -50,6 +50,10 @@ public:
   {
     std::vector<std::optional<Quadrangulation_kernel::Vector_3>> direction; // per face
     std::vector<double> weight;                                             // per face; infinite: hard
+    std::vector<std::optional<int>> index;                                  // that vertices must have; empty: any
+    std::vector<char> is_node;          // per vertex: it becomes a vertex of quads; empty: none has to
+    bool has_releasable_curves = false; // of the user
+    std::vector<double> importance;     // per face: how much it counts for the map; empty: one everywhere
   };
 
   struct Options
@@ -63,8 +67,17 @@ public:
 
   Grid_map_search(const Quadrangulation_surface& surface, const Directions& directions, const Options& options,
                   Pipeline_visitor& visitor)
-    : m_surface(surface), m_directions(directions), m_options(options), m_visitor(visitor)
+    : m_surface(surface)
+    , m_directions(directions)
+    , m_index(directions.index)
+    , m_is_node(directions.is_node)
+    , m_importance(directions.importance)
+    , m_options(options)
+    , m_visitor(visitor)
   {
+    m_index.resize(surface.mesh.number_of_vertices());
+    m_is_node.resize(surface.mesh.number_of_vertices(), 0);
+    m_importance.resize(surface.mesh.number_of_faces(), 1.);
   }
 
   // The times and the number of attempts of all plans.
@@ -119,6 +132,7 @@ private:
     s.requested_method = m_options.quadrangulation.cross_field_method;
     s.random_seed = m_options.quadrangulation.random_seed;
     s.has_releasable_features = m_options.releasable_length > 0;
+    s.has_curves = m_directions.has_releasable_curves;
     s.requested_quads = m_options.requested_quads;
     if(best)
     {
@@ -143,10 +157,10 @@ private:
       double released = best ? best->field->released_length : 0;
       if(plan.release_radius > 0)
       {
-        const double length = release(*best, plan.release_radius * m_options.length, is_feature);
+        const double length = release(*best, plan.release_radius * m_options.length, plan.releases_curves, is_feature);
         if(length == 0)
           return nullptr;
-        released += length;
+        released += plan.releases_curves ? 0 : length; // curves of the user have an answer of their own
       }
       field = field_with_room(*plan.new_field, is_feature, released);
     }
@@ -161,12 +175,26 @@ private:
     return is_feature;
   }
 
-  // The edges near the folded triangles of an attempt; returns their length.
-  double release(const Grid_map_attempt& attempt, double radius, std::vector<char>& is_feature) const
+  // Those that are never released.
+  std::vector<char> kept_features() const
   {
+    std::vector<char> is_kept;
+    for(Mesh::Edge_index e : m_surface.mesh.edges())
+      is_kept.push_back(m_surface.is_kept[e]);
+    return is_kept;
+  }
+
+  // The edges near the folded triangles of an attempt; returns their length.
+  double release(const Grid_map_attempt& attempt, double radius, bool releases_curves,
+                 std::vector<char>& is_feature) const
+  {
+    std::vector<char> is_kept = kept_features();
+    if(releases_curves) // those in the border stay
+      for(Mesh::Edge_index e : m_surface.mesh.edges())
+        is_kept[e] = is_kept[e] && m_surface.mesh.is_border(e);
     return release_features(m_surface.mesh,
                             attempt.folded_before_rounding.empty() ? attempt.folded : attempt.folded_before_rounding,
-                            radius, map_of(boost::edge_index, is_feature));
+                            radius, map_of(boost::edge_index, is_kept), map_of(boost::edge_index, is_feature));
   }
 
   // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there
@@ -177,7 +205,7 @@ private:
   {
     std::shared_ptr<Field_attempt> field = compute_field(method, is_feature, released);
     if(field && !has_room(*field) && m_options.releasable_length > released)
-      field = compute_field(method, std::vector<char>(is_feature.size(), 0), m_options.releasable_length);
+      field = compute_field(method, kept_features(), m_options.releasable_length);
     if(!field || has_room(*field))
       return field;
     figures.singularities = field->singularities;
@@ -225,6 +253,8 @@ private:
                            .allow_refactorization(m_options.quadrangulation.allow_refactorization)
                            .face_direction_map(map_of(boost::face_index, m_directions.direction))
                            .face_direction_weight_map(map_of(boost::face_index, m_directions.weight))
+                           .face_sizing_map(m_surface.length)
+                           .prescribed_index_map(map_of(boost::vertex_index, m_index))
                            .visitor(std::ref(m_visitor)));
     figures.field_seconds += r.seconds;
     if(r.status == Cross_field_status::STOPPED)
@@ -278,7 +308,10 @@ private:
                                                map_of(boost::edge_index, field.period_jump),
                                                map_of(boost::vertex_index, field.index),
                                                parameters::target_edge_length(m_options.length)
+                                                 .face_sizing_map(m_surface.length)
                                                  .edge_is_constrained_map(map_of(boost::edge_index, field.is_feature))
+                                                 .face_direction_weight_map(map_of(boost::face_index, m_importance))
+                                                 .vertex_is_constrained_map(map_of(boost::vertex_index, m_is_node))
                                                  .align_boundary(o.align_boundary)
                                                  .anisotropy_weight(o.anisotropy_weight)
                                                  .number_of_threads(o.number_of_threads)
@@ -344,6 +377,9 @@ private:
 
   const Quadrangulation_surface& m_surface;
   const Directions& m_directions;
+  std::vector<std::optional<int>> m_index; // per vertex
+  std::vector<char> m_is_node;             // per vertex
+  std::vector<double> m_importance;        // per face
   const Options m_options;
   Pipeline_visitor& m_visitor;
 };

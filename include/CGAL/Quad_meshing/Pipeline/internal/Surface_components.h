@@ -255,13 +255,18 @@ private:
       const Mesh::Vertex_index v = index(f.corners[0]);
       const Mesh::Face_index face = surface.mesh.add_face(v, index(f.corners[1]), index(f.corners[2]));
       surface.origin[face] = static_cast<std::size_t>(f.number);
-      if(!m_input.has_features())
+      if(!m_input.has_features() && m_input.is_curve.empty())
         continue;
       Mesh::Halfedge_index h = surface.mesh.halfedge(face);
       while(surface.mesh.source(h) != v)
         h = surface.mesh.next(h);
       for(int k = 0; k < 3; ++k, h = surface.mesh.next(h))
-        surface.is_feature[surface.mesh.edge(h)] = m_input.is_feature[f.number][(f.first_side + k) % 3] != 0;
+      {
+        const int side = (f.first_side + k) % 3;
+        if((m_input.has_features() && m_input.is_feature[f.number][side] != 0) ||
+           (!m_input.is_curve.empty() && m_input.is_curve[f.number][side] != 0))
+          surface.is_feature[surface.mesh.edge(h)] = surface.is_kept[surface.mesh.edge(h)] = true;
+      }
     }
   }
 

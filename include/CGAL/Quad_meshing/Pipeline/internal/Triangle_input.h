@@ -17,6 +17,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -35,6 +36,14 @@ struct Triangle_input
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<char, 3>> is_feature; // per triangle and side; empty: to be detected
   std::vector<std::optional<Quadrangulation_kernel::Vector_3>> directions; // per triangle; empty: none is given
+  std::vector<double> face_lengths;   // per triangle: of quad edges, 0 or less: no wish; empty: none is given
+  std::vector<double> vertex_lengths; // per point: the same
+
+  // Of triangles that were cut along curves of the user.
+  std::vector<std::array<char, 3>> is_curve; // per triangle and side; empty: there are no curves
+  std::vector<std::size_t> origin;           // per triangle: its number before the cut; empty: the same
+
+  std::size_t original(std::size_t triangle) const { return origin.empty() ? triangle : origin[triangle]; }
 
   bool has_features() const { return !is_feature.empty(); }
 };
@@ -74,6 +83,22 @@ void set_features(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, Triangle_
     }
     input.is_feature.push_back(sides);
   }
+}
+
+template <typename TriangleMesh, typename FaceSizingMap>
+void set_face_lengths(const TriangleMesh& tm, FaceSizingMap length, Triangle_input& input)
+{
+  input.face_lengths.clear();
+  for(auto f : faces(tm))
+    input.face_lengths.push_back(to_double(get(length, f)));
+}
+
+template <typename TriangleMesh, typename VertexSizingMap>
+void set_vertex_lengths(const TriangleMesh& tm, VertexSizingMap length, Triangle_input& input)
+{
+  input.vertex_lengths.clear();
+  for(auto v : vertices(tm))
+    input.vertex_lengths.push_back(to_double(get(length, v)));
 }
 
 template <typename TriangleMesh, typename FaceDirectionMap>

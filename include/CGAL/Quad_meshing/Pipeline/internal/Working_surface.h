@@ -47,13 +47,18 @@ public:
   {
     // The vertices of quads are moved by the smoothing too.
     const double largest_distance = 0.2; // in target edge lengths
+    // What make_working_mesh() promises for curves, twice, as the input is as far from the chords.
+    const double largest_curve_error = 0.2;
     m_largest_distance = largest_distance * target_edge_length;
+    m_largest_curve_error = largest_curve_error * target_edge_length;
     m_input = std::move(m_surface);
     m_surface = std::make_unique<Quadrangulation_surface>();
     auto place = m_surface->mesh.add_property_map<Mesh::Vertex_index, Mesh::Face_index>("v:place").first;
     const Working_mesh_result result =
       make_working_mesh(m_input->mesh, target_edge_length, m_surface->mesh,
-                        parameters::edge_is_constrained_map(m_input->is_feature).visitor(std::ref(visitor)),
+                        parameters::face_sizing_map(m_input->length)
+                          .edge_is_constrained_map(m_input->is_feature)
+                          .visitor(std::ref(visitor)),
                         parameters::input_face_map(place).edge_is_constrained_map(m_surface->is_feature));
     if(!result.is_valid())
       return result.message;
@@ -65,6 +70,7 @@ public:
       const Mesh& m = m_surface->mesh;
       const Point_3 c = centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
       m_surface->origin[f] = walk(c, place[m.source(h)]).face;
+      m_surface->length[f] = m_input->length[Mesh::Face_index(static_cast<Mesh::size_type>(m_surface->origin[f]))];
     }
     m_surface->mesh.remove_property_map(place);
     find_curves();
@@ -75,6 +81,10 @@ public:
   bool is_made() const { return m_input != nullptr; }
 
   const Quadrangulation_surface& input() const { return is_made() ? *m_input : *m_surface; }
+
+  // How far the triangles of the work and their curves are from those of the input at most; 0 if they are the input.
+  double largest_distance() const { return m_largest_distance; }
+  double largest_curve_error() const { return m_largest_curve_error; }
 
   // The number, in the whole input, of a face at or near a face of the working mesh.
   std::size_t input_face(Mesh::Face_index f) const
@@ -159,6 +169,7 @@ private:
   std::unique_ptr<Quadrangulation_surface> m_input; // null while m_surface is the input
   std::unique_ptr<Reference_surface> m_reference;   // the input
   double m_largest_distance = 0;                    // between the working mesh and the input
+  double m_largest_curve_error = 0;                 // between their curves
   std::vector<Segment_3> m_segments;                // of the curves of the input
   std::unique_ptr<Curve_tree> m_curves;
 };

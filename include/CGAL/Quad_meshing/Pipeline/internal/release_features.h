@@ -22,11 +22,11 @@ namespace Quad_meshing {
 namespace internal {
 
 // Unmarks the feature edges with an end within a distance of some faces, measured along edges. Returns their length.
-// `is_feature` has the edges as keys.
-template <typename EdgeIsFeatureMap>
+// Edges that are kept stay marked.
+template <typename EdgeIsKeptMap, typename EdgeIsFeatureMap>
 double release_features(const Quadrangulation_mesh& mesh,
                         const std::vector<Quadrangulation_mesh::Face_index>& faces_without_room, double radius,
-                        EdgeIsFeatureMap is_feature)
+                        EdgeIsKeptMap is_kept, EdgeIsFeatureMap is_feature)
 {
   typedef Quadrangulation_mesh Mesh;
 
@@ -46,7 +46,7 @@ double release_features(const Quadrangulation_mesh& mesh,
   for(Mesh::Edge_index e : mesh.edges())
   {
     const Mesh::Halfedge_index h = mesh.halfedge(e);
-    if(get(is_feature, e) &&
+    if(get(is_feature, e) && !get(is_kept, e) &&
        (front.is_reached(static_cast<int>(mesh.source(h))) || front.is_reached(static_cast<int>(mesh.target(h)))))
     {
       put(is_feature, e, false);

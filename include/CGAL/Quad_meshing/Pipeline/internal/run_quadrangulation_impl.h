@@ -10,7 +10,11 @@
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_RUN_QUADRANGULATION_IMPL_H
 
 #include <CGAL/Quad_meshing/Pipeline/internal/Component_quadrangulation.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Guide_report.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Placed_guides.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Size_plan.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Surface_components.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Symmetric_quadrangulation.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/run_quadrangulation.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -20,6 +24,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
@@ -29,6 +34,11 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
+inline bool is_finite_point(const Quadrangulation_kernel::Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
 // A quadrangulation of all components.
 class Quadrangulation_run
 {
@@ -36,8 +46,14 @@ class Quadrangulation_run
   typedef Quadrangulation_status Status;
 
 public:
-  Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor)
-    : m_input(input), m_options(options), m_names(options), m_visitor(visitor, options.maximum_running_time)
+  // `copies`: how many times the quads are there in the end, with their mirror images.
+  Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor,
+                      std::size_t copies = 1)
+    : m_input(input)
+    , m_options(options)
+    , m_copies(copies)
+    , m_names(options)
+    , m_visitor(visitor, options.maximum_running_time)
   {
   }
 
@@ -49,11 +65,13 @@ public:
     surface = std::make_unique<Quadrangulation_surface>();
     quads = std::make_unique<Quadrangulation_quads>();
     m_result.input_faces = m_input.triangles.size();
-    if(check_options() && check_points() && find_components() && choose_lengths())
+    if(check_options() && check_guides() && check_points() && find_components(m_input) && place_guides() &&
+       choose_lengths())
     {
       quadrangulate_components();
       find_invalid_components();
       join(surface, quads);
+      report_guides(*quads);
       conclude(*quads);
     }
     m_result.total_seconds = timer.time();
@@ -85,6 +103,92 @@ private:
     return true;
   }
 
+  bool check_guides()
+  {
+    const Quadrangulation_options& o = m_options;
+    auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
+    if(!is_length(o.smallest_edge_length) || !is_length(o.largest_edge_length) || !is_length(o.sizing_tolerance))
+      return refuse("A bound of the edge lengths is negative or not a number.");
+    if(o.largest_edge_length > 0 && o.smallest_edge_length > o.largest_edge_length)
+      return refuse("The smallest edge length is larger than the largest one.");
+    if(!(o.sizing_gradation > 0))
+      return refuse("The gradation of the edge lengths is not a positive number.");
+    for(std::size_t i = 0; i < o.size_discs.size(); ++i)
+    {
+      const Size_disc& d = o.size_discs[i];
+      if(!(d.radius > 0 && is_length(d.radius)) || !(d.length > 0 && is_length(d.length)) || !is_finite_point(d.center))
+        return refuse("The radius or the length of " + guide_name(d, "disc", i) + " is not a positive number.");
+    }
+    for(std::size_t i = 0; i < o.strokes.size(); ++i)
+      if(!(o.strokes[i].weight > 0))
+        return refuse("The weight of " + guide_name(o.strokes[i], "stroke", i) + " is not a positive number.");
+    for(std::size_t i = 0; i < o.index_guides.size(); ++i)
+    {
+      const Index_guide& g = o.index_guides[i];
+      const std::string name = guide_name(g, "index", i);
+      if(!is_finite_point(g.point) || !is_length(g.radius))
+        return refuse("A number of " + name + " is negative or not finite.");
+      const int largest_index = 3; // a vertex has one quad at least
+      if(g.index > largest_index)
+        return refuse("The index of " + name + " is larger than 3.");
+      if(g.radius > 0 && g.index != 0)
+        return refuse("Only an index of 0 has a radius, which " + name + " has as well.");
+    }
+    for(std::size_t f = 0; f < m_input.face_lengths.size(); ++f)
+      if(!std::isfinite(m_input.face_lengths[f]))
+        return refuse("The edge length of " + m_names.face(f) + " is not a finite number.");
+    for(std::size_t v = 0; v < m_input.vertex_lengths.size(); ++v)
+      if(!std::isfinite(m_input.vertex_lengths[v]))
+        return refuse("The edge length of " + m_names.vertex(v) + " is not a finite number.");
+    return true;
+  }
+
+  static double weight_of(const Guide_curve&) { return 0; } // it is no stroke
+  static double weight_of(const Guide_stroke& s) { return s.weight; }
+
+  // Guides are put onto the surface as it was given; then it is cut along the curves.
+  bool place_guides()
+  {
+    if(m_options.feature_curves.empty() && m_options.strokes.empty() && m_options.index_guides.empty())
+      return true;
+    {
+      const Guide_placer placer(m_surfaces, m_input);
+      auto place = [&](const auto& guides, const char* kind, std::vector<Placed_curve>& placed)
+      {
+        for(std::size_t i = 0; i < guides.size(); ++i)
+        {
+          Placed_curve c;
+          c.name = guide_name(guides[i], kind, i);
+          c.weight = weight_of(guides[i]);
+          const std::string problem = placer.place(guides[i], c);
+          if(problem.empty())
+            placed.push_back(c);
+          else
+            m_result.unmet_guides.push_back(problem);
+        }
+      };
+      place(m_options.feature_curves, "curve", m_curves);
+      place(m_options.strokes, "stroke", m_strokes);
+      for(std::size_t i = 0; i < m_options.index_guides.size(); ++i)
+        m_indices.push_back({ &m_options.index_guides[i], guide_name(m_options.index_guides[i], "index", i),
+                              placer.place(m_options.index_guides[i].point) });
+    }
+    if(m_curves.empty())
+      return true;
+    std::string error;
+    m_cut = std::make_unique<Triangle_input>(cut_input(m_input, m_curves, error));
+    if(!error.empty())
+      return refuse(error);
+    m_surfaces.clear();
+    return find_components(*m_cut);
+  }
+
+  // The triangles that are worked on.
+  const Triangle_input& triangles() const { return m_cut ? *m_cut : m_input; }
+
+  // The number in the input of one of them.
+  std::size_t input_number(std::size_t triangle) const { return m_cut ? m_cut->original(triangle) : triangle; }
+
   bool asks_for_number() const { return m_options.target_edge_length == 0; }
 
   bool check_points()
@@ -98,9 +202,9 @@ private:
     return true;
   }
 
-  bool find_components()
+  bool find_components(const Triangle_input& input)
   {
-    Surface_components components(m_input, m_names);
+    Surface_components components(input, m_names);
     if(!components.error.empty())
       return refuse(components.error);
     m_surfaces = std::move(components.surfaces);
@@ -137,16 +241,49 @@ private:
       return refuse(asks_for_number() ? "The quads that are asked for are so few that one is larger than the model."
                                       : "The target edge length is larger than the model.");
     m_result.target_edge_length = length;
-    for(double a : areas)
+    std::vector<double> lengths(areas.size(), length); // on average
+    const bool is_graded = Size_plan::is_needed(m_input, m_options);
+    m_keeps_number = asks_for_number();
+    if(is_graded)
+    {
+      Size_plan plan(
+        m_surfaces, m_input, [&](std::size_t i) { return input_number(i); }, m_options, length);
+      if(!plan.run(asks_for_number() ? m_options.target_number_of_quads : 0, area, m_visitor))
+      {
+        m_result.status = m_visitor.is_stopped() ? Status::STOPPED : Status::OUT_OF_TIME;
+        m_result.message = m_visitor.is_stopped() ? "The visitor stopped the quadrangulation."
+                                                  : "The time was up before there was a mesh.";
+        return false;
+      }
+      m_keeps_number = asks_for_number() && !plan.is_absolute();
+      double quads = 0;
+      for(std::size_t i = 0; i < areas.size(); ++i)
+      {
+        lengths[i] = areas[i] > 0 ? std::sqrt(areas[i] / plan.quads[i]) : length;
+        quads += plan.quads[i];
+      }
+      if(quads > most_quads)
+        return refuse("The edge lengths ask for more than 50 million quads.");
+    }
+    for(std::size_t i = 0; i < areas.size(); ++i)
     {
       Component_request request;
       request.has_features = m_input.has_features();
-      request.length = edge_length_of_component(a, length, m_surfaces.size());
-      request.number_of_quads = a / (request.length * request.length);
-      request.requested_quads = asks_for_number() ? request.number_of_quads : 0;
-      m_result.refined_components += request.length < length;
+      request.has_curves = !m_curves.empty();
+      request.length = edge_length_of_component(areas[i], lengths[i], m_surfaces.size());
+      request.is_graded = is_graded;
+      request.number_of_quads = areas[i] / (request.length * request.length);
+      request.requested_quads = m_keeps_number ? request.number_of_quads : 0;
+      m_result.refined_components += request.length < lengths[i];
+      for(Mesh::Face_index f : m_surfaces[i]->mesh.faces())
+        m_surfaces[i]->length[f] =
+          is_graded ? m_surfaces[i]->length[f] * (request.length / lengths[i]) : request.length;
       m_requests.push_back(request);
     }
+    for(const Placed_curve& s : m_strokes)
+      m_requests[s.component].wishes.strokes.push_back(&s);
+    for(const Component_wishes::Index_wish& w : m_indices)
+      m_requests[w.place.component].wishes.indices.push_back(w);
     return true;
   }
 
@@ -159,7 +296,7 @@ private:
       options.number_of_threads = 1;
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
       m_components.push_back(std::make_unique<Component_quadrangulation>(m_surfaces[i], m_requests[i],
-                                                                         m_input.directions, options, m_visitor));
+                                                                         triangles().directions, options, m_visitor));
     std::atomic<std::size_t> next(0);
     auto work = [&]
     {
@@ -188,6 +325,33 @@ private:
       if(m_components[i]->quads)
         append(*m_components[i]->quads, first_face, *quads);
     }
+    if(!m_cut)
+      return;
+    for(Mesh::Face_index f : surface->mesh.faces())
+      surface->origin[f] = m_cut->original(surface->origin[f]);
+    for(Mesh::Vertex_index v : quads->mesh.vertices())
+      quads->input_face[v] = m_cut->original(quads->input_face[v]);
+  }
+
+  // What became of the guides, seen from the mesh.
+  void report_guides(const Quadrangulation_quads& quads)
+  {
+    for(const auto& c : m_components)
+      m_result.unmet_guides.insert(m_result.unmet_guides.end(), c->unmet.begin(), c->unmet.end());
+    if(quads.mesh.number_of_faces() == 0 || (m_curves.empty() && m_strokes.empty() && m_indices.empty()))
+      return;
+    const Guide_report report(quads.mesh);
+    auto add = [&](const std::string& sentence)
+    {
+      if(!sentence.empty())
+        m_result.unmet_guides.push_back(sentence);
+    };
+    for(const Placed_curve& c : m_curves)
+      add(report.of_curve(c));
+    for(const Placed_curve& s : m_strokes)
+      add(report.of_stroke(s));
+    for(const Component_wishes::Index_wish& w : m_indices)
+      add(report.of_index(w));
   }
 
   static void append(Quadrangulation_quads& part, std::size_t first_face, Quadrangulation_quads& quads)
@@ -285,7 +449,7 @@ private:
       const Quadrangulation_result& r = m_components[i]->result;
       if(r.is_valid())
         continue;
-      m_result.invalid_components.push_back({ m_components[i]->first_input_face, r.status, r.message });
+      m_result.invalid_components.push_back({ input_number(m_components[i]->first_input_face), r.status, r.message });
     }
   }
 
@@ -333,12 +497,14 @@ private:
                           " divided";
     if(m_visitor.is_time_up() && m_result.quads > 0)
       m_result.message += "; the time limit ended the search for a better one";
+    for(const std::string& unmet : m_result.unmet_guides)
+      m_result.message += "; " + unmet;
     const double quads = static_cast<double>(m_result.quads + m_result.other_faces);
-    if(asks_for_number() && m_result.quads > 0 && m_result.failed_components == 0 &&
+    if(m_keeps_number && m_result.quads > 0 && m_result.failed_components == 0 &&
        !is_as_promised(quads, m_options.target_number_of_quads))
       m_result.message +=
-        "; " + std::to_string(m_result.quads) + " quads instead of " +
-        std::to_string(std::lround(m_options.target_number_of_quads)) +
+        "; " + std::to_string(m_copies * m_result.quads) + " quads instead of " +
+        std::to_string(std::lround(static_cast<double>(m_copies) * m_options.target_number_of_quads)) +
         (quads > m_options.target_number_of_quads
            ? ", as narrow places between features, borders and singularities need at least a quad each"
          : m_options.optimize_structure || m_options.semi_regular
@@ -355,11 +521,16 @@ private:
 
   const Triangle_input& m_input;
   const Quadrangulation_options& m_options;
+  const std::size_t m_copies;
   const Element_names m_names;
   Pipeline_visitor m_visitor;
   Quadrangulation_result m_result;
   std::vector<std::unique_ptr<Quadrangulation_surface>> m_surfaces;
   std::vector<Component_request> m_requests;
+  bool m_keeps_number = true; // the number of quads is asked for, and nothing that is more important than it
+  std::vector<Placed_curve> m_curves, m_strokes;
+  std::vector<Component_wishes::Index_wish> m_indices;
+  std::unique_ptr<Triangle_input> m_cut; // along the curves; null if there are none
   std::vector<std::unique_ptr<Component_quadrangulation>> m_components;
 };
 
@@ -369,7 +540,26 @@ CGAL_QUAD_MESHING_INLINE Quadrangulation_result run_quadrangulation(const Triang
                                                                     std::unique_ptr<Quadrangulation_surface>& surface,
                                                                     std::unique_ptr<Quadrangulation_quads>& quads)
 {
-  return Quadrangulation_run(input, options, visitor).run(surface, quads);
+  const bool is_finite =
+    std::all_of(input.points.begin(), input.points.end(), [](const auto& p) { return is_finite_point(p); });
+  const bool has_planes = !options.symmetry_planes.empty() && is_finite && !input.triangles.empty() &&
+                          (options.target_edge_length > 0 || options.target_number_of_quads > 0);
+  if(!has_planes) // what is wrong with the input is found in any case
+    return Quadrangulation_run(input, options, visitor).run(surface, quads);
+  Quadrangulation_result result;
+  Symmetric_quadrangulation symmetric(input, options);
+  surface = std::make_unique<Quadrangulation_surface>();
+  quads = std::make_unique<Quadrangulation_quads>();
+  if(!symmetric.prepare(result))
+    return result;
+  result =
+    Quadrangulation_run(symmetric.part(), symmetric.part_options(), visitor, symmetric.copies()).run(surface, quads);
+  for(Quadrangulation_mesh::Face_index f : surface->mesh.faces())
+    surface->origin[f] = symmetric.part().original(surface->origin[f]);
+  for(Invalid_component& c : result.invalid_components)
+    c.face = symmetric.part().original(c.face);
+  symmetric.complete(result, quads);
+  return result;
 }
 
 } // namespace internal

@@ -106,6 +106,11 @@ public:
   }
 
 private:
+  // The weight of areas against shapes where lengths are asked for: as much as it takes that they do not level out.
+  static constexpr double weight_of_lengths = 0.5;
+
+  double area_weight() const { return m_length.empty() ? Rectangle_energy::area_weight : weight_of_lengths; }
+
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> Preconditioner;
 
@@ -187,7 +192,8 @@ private:
                        b = m_mesh.points[c[prev]] - m_mesh.points[c[k]];
         Rectangle_energy::Sides slope;
         Eigen::Matrix4d curvature;
-        Rectangle_energy::derivatives(Rectangle_energy::Sides(a * x, a * y, b * x, b * y), m_area[f], slope, curvature);
+        Rectangle_energy::derivatives(Rectangle_energy::Sides(a * x, a * y, b * x, b * y), m_area[f], slope, curvature,
+                                      area_weight());
         Eigen::Matrix<double, 4, 8> sides = Eigen::Matrix<double, 4, 8>::Zero();
         sides.block<2, 2>(0, 2 * next) = ways[next];
         sides.block<2, 2>(2, 2 * prev) = ways[prev];
@@ -281,7 +287,7 @@ private:
       const double energy = energy_of_quad(f);
       after += energy;
       if(energy - energy_before[f] >
-         tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least) + 4 * tolerated_rise)
+         tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least_with(area_weight())) + 4 * tolerated_rise)
         for(int v : m_mesh.corners[f])
           was_too_long[v] = 1;
     }
@@ -292,7 +298,7 @@ private:
     if(after < before)
     {
       m_useless_steps = 0;
-      return before - after > least_gain * (before - 4 * Rectangle_energy::least * nf);
+      return before - after > least_gain * (before - 4 * Rectangle_energy::least_with(area_weight()) * nf);
     }
     m_mesh.points = m_points_before;
     m_place = m_place_before;
@@ -345,7 +351,8 @@ private:
     double sum = 0;
     for(int k = 0; k < 4; ++k)
       sum += Rectangle_energy::value(m_mesh.points[c[(k + 1) & 3]] - m_mesh.points[c[k]],
-                                     m_mesh.points[c[(k + 3) & 3]] - m_mesh.points[c[k]], m_normal[f], m_area[f]);
+                                     m_mesh.points[c[(k + 3) & 3]] - m_mesh.points[c[k]], m_normal[f], m_area[f],
+                                     area_weight());
     return sum;
   }
 

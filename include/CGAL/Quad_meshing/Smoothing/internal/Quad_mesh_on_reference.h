@@ -44,8 +44,9 @@ public:
   };
 
   Quad_mesh_on_reference(Indexed_quad_mesh& mesh, Reference_surface& surface, Reference_curves& features,
-                         Reference_curves& borders, const std::vector<char>& is_fixed_vertex, Any_visitor& visitor)
-    : m_mesh(mesh), m_surface(surface), m_features(features), m_borders(borders), m_visitor(visitor)
+                         Reference_curves& borders, const std::vector<char>& is_fixed_vertex,
+                         const std::vector<double>& length, Any_visitor& visitor)
+    : m_mesh(mesh), m_surface(surface), m_features(features), m_borders(borders), m_length(length), m_visitor(visitor)
   {
     m_was_unfolded.assign(m_mesh.number_of_vertices(), 0);
     collect_incident_corners();
@@ -223,6 +224,33 @@ protected:
       // a mesh that has collapsed here altogether
       m_area[f] = (std::max)(m_area[f], (std::numeric_limits<double>::min)());
     }
+    if(!m_length.empty() && !m_place.empty())
+      aim_at_lengths();
+  }
+
+  // Where lengths are given, the corners of a quad aim at their squares, as far as these fit on the surface together.
+  void aim_at_lengths()
+  {
+    std::vector<double> aim(m_mesh.number_of_faces(), 0);
+    double aims = 0, areas = 0;
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      int n = 0;
+      for(int v : m_mesh.corners[f])
+        if(m_kind[v] == on_surface && m_place[v] != -1)
+        {
+          aim[f] += m_length[m_place[v]] * m_length[m_place[v]];
+          ++n;
+        }
+      if(n == 0)
+        continue;
+      aim[f] /= n;
+      aims += aim[f];
+      areas += m_area[f];
+    }
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      if(aim[f] > 0)
+        m_area[f] = aim[f] * (areas / aims);
   }
 
   void update_face(int f)
@@ -286,6 +314,7 @@ protected:
   Reference_surface& m_surface;
   Reference_curves& m_features;
   Reference_curves& m_borders;
+  const std::vector<double>& m_length; // per face of the surface: see `Indexed_reference`
   Any_visitor& m_visitor;
 
   std::vector<int> m_first, m_corner; // per vertex: the halfedges that leave it, border or not

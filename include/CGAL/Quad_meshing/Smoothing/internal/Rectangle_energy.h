@@ -42,15 +42,17 @@ struct Rectangle_energy
   static constexpr double least_sine = 0.05, least_area = 0.05, least_length = 0.01;
   // The energy of a square of the right size.
   static constexpr double least = 1 + area_weight;
+  static constexpr double least_with(double weight) { return 1 + weight; }
 
-  // For the sides a and b, a corner of a quad with unit normal n.
-  static double value(const Vector_3& a, const Vector_3& b, const Vector_3& n, double aim)
+  // For the sides a and b, a corner of a quad with unit normal n, and the weight w.
+  static double value(const Vector_3& a, const Vector_3& b, const Vector_3& n, double aim, double weight = area_weight)
   {
-    return Rectangle_energy(std::sqrt(a * a), std::sqrt(b * b), a * b, cross_product(a, b) * n, aim).value();
+    return Rectangle_energy(std::sqrt(a * a), std::sqrt(b * b), a * b, cross_product(a, b) * n, aim).value(weight);
   }
 
   // The gradient, and the matrix of second derivatives without those that are left out.
-  static void derivatives(const Sides& x, double aim, Sides& gradient, Eigen::Matrix4d& matrix)
+  static void derivatives(const Sides& x, double aim, Sides& gradient, Eigen::Matrix4d& matrix,
+                          double weight = area_weight)
   {
     const Eigen::Vector2d a = x.head<2>(), b = x.tail<2>();
     const Rectangle_energy e(a.norm(), b.norm(), a.dot(b), a[0] * b[1] - a[1] * b[0], aim);
@@ -63,11 +65,11 @@ struct Rectangle_energy
 
     const double ratio = e.m_la / e.m_lb, sinh_s = (ratio - 1 / ratio) / 2;
     const double per_s = squareness * sinh_s / e.m_sine, per_theta = -e.top() * e.m_cosine / (e.m_sine * e.m_sine);
-    gradient = per_s * s + per_theta * theta + area_weight / 2 * (e.m_area - 1 / e.m_area) * t;
+    gradient = per_s * s + per_theta * theta + weight / 2 * (e.m_area - 1 / e.m_area) * t;
     matrix = squareness * e.cosh_s() / e.m_sine * s * s.transpose() -
              per_s * e.m_cosine / e.m_sine * (s * theta.transpose() + theta * s.transpose()) +
              e.top() * (1 + e.m_cosine * e.m_cosine) / (e.m_sine * e.m_sine * e.m_sine) * theta * theta.transpose() +
-             area_weight / 2 * (e.m_area + 1 / e.m_area) * t * t.transpose();
+             weight / 2 * (e.m_area + 1 / e.m_area) * t * t.transpose();
   }
 
 private:
@@ -82,7 +84,7 @@ private:
 
   double cosh_s() const { return (m_la / m_lb + m_lb / m_la) / 2; }
   double top() const { return squareness * cosh_s() + 1 - squareness; }
-  double value() const { return top() / m_sine + area_weight / 2 * (m_area + 1 / m_area); }
+  double value(double weight) const { return top() / m_sine + weight / 2 * (m_area + 1 / m_area); }
 
   double m_la, m_lb, m_cosine, m_sine, m_area;
 };

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -25,6 +26,7 @@ struct Smoothing_reference::Data
   Reference_curves features;
   Reference_curves borders;
   Reference_surface surface;
+  std::vector<double> length; // see `Indexed_reference`
 
   Data(const Indexed_quad_mesh& qm, Indexed_reference tm)
     : features(tm.features.empty() ? Reference_curves(qm.points, edges_of(qm, false))
@@ -32,6 +34,7 @@ struct Smoothing_reference::Data
     , borders(tm.borders.empty() ? Reference_curves(qm.points, edges_of(qm, true))
                                  : Reference_curves(tm.mesh.points, tm.borders))
     , surface(std::move(tm.mesh))
+    , length(std::move(tm.length))
   {
   }
 
@@ -52,7 +55,7 @@ CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(const Indexed_
 }
 
 CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(const Indexed_quad_mesh& qm)
-  : Smoothing_reference(qm, Indexed_reference{ triangulated_quad_mesh(qm), {}, {} })
+  : Smoothing_reference(qm, Indexed_reference{ triangulated_quad_mesh(qm), {}, {}, {} })
 {
 }
 

@@ -46,7 +46,7 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Ind
   {
     const Visited_stage stage(watched, "smoothing");
     Smoothing_reference::Data& data = reference.data();
-    Global_quad_smoother smoother(m, data.surface, data.features, data.borders, is_fixed_vertex, watched);
+    Global_quad_smoother smoother(m, data.surface, data.features, data.borders, is_fixed_vertex, data.length, watched);
     smoother.project();
     std::vector<int> folded = smoother.folded_quads();
     result.folded_quads_before = folded.size();

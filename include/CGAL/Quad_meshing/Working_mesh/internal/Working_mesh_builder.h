@@ -41,8 +41,9 @@ public:
   typedef Editable_triangles::Point_3 Point_3;
   typedef Editable_triangles::Vector_3 Vector_3;
 
+  // `face_length` has the target edge length of every face of the input, or is empty where it is the same everywhere.
   Working_mesh_builder(Reference_surface& input, const std::vector<char>& edge_is_feature, double target_edge_length,
-                       Any_visitor& visitor)
+                       const std::vector<double>& face_length, Any_visitor& visitor)
     : triangles(input.mesh(), edge_is_feature)
     , m_input(input)
     , m_shortest(shortest_edge * target_edge_length)
@@ -53,6 +54,11 @@ public:
   {
     m_limits.error = largest_error * target_edge_length;
     m_limits.quality = least_quality;
+    for(double l : face_length)
+    {
+      m_relative_length.push_back(l / target_edge_length);
+      m_largest_relative_length = (std::max)(m_largest_relative_length, m_relative_length.back());
+    }
     for(int v = 0; v < triangles.number_of_vertices(); ++v)
       input_face.push_back(triangles.out[v] == -1 ? -1 : triangles.out[v] / 3);
     for(int f = 0; f < triangles.number_of_faces(); ++f)
@@ -113,6 +119,16 @@ private:
   // Vertices and edges that are looked at between two reports to the visitor: a few milliseconds.
   static constexpr int elements_per_report = 4096;
 
+  // The length of quads at a vertex, in target edge lengths.
+  double relative_length(int v) const { return m_relative_length.empty() ? 1. : m_relative_length[input_face[v]]; }
+
+  Triangle_patch::Limits limits_at(int v) const
+  {
+    Triangle_patch::Limits limits = m_limits;
+    limits.error *= relative_length(v);
+    return limits;
+  }
+
   bool is_reported(int i) { return i % elements_per_report != 0 || m_progress.go_further(); }
 
   // Passes with growing lengths: triangles stay alike, and all have the same say in which vertices remain.
@@ -122,13 +138,14 @@ private:
     for(int h = 0; h < triangles.number_of_halfedges(); ++h)
       sum += triangles.length(h);
     const double mean = sum / triangles.number_of_halfedges();
-    for(double shortest = mean; shortest < m_shortest; shortest *= growth)
+    for(double shortest = mean / m_largest_relative_length; shortest < m_shortest; shortest *= growth)
       if(!collapse_below(shortest) || !flip())
         return false;
     return collapse_below(m_shortest) && flip();
   }
 
-  bool collapse_below(double shortest)
+  // Collapses edges shorter than a length where quads have the target edge length, and accordingly elsewhere.
+  bool collapse_below(double shortest_of_target)
   {
     std::vector<std::pair<double, int>> edges; // squared length, halfedge
     std::vector<int> leaving;
@@ -138,6 +155,7 @@ private:
         return false;
       if(triangles.out[v] == -1)
         continue;
+      const double shortest = shortest_of_target * relative_length(v);
       triangles.leaving(v, leaving);
       edges.clear();
       for(int h : leaving)
@@ -239,7 +257,8 @@ private:
       return false;
     const Point_3 &p = triangles.points[v], &q = triangles.points[w], &r = triangles.points[other];
     error = old_error + std::sqrt(squared_distance(p, Simple_cartesian<double>::Segment_3(q, r)));
-    return error <= m_largest_curve_error && turns_enough(other, v, w) && turns_enough(w, v, other);
+    return error <= m_largest_curve_error * relative_length(v) && turns_enough(other, v, w) &&
+           turns_enough(w, v, other);
   }
 
   // Whether the curve through a does not turn more there if it goes on to c instead of b.
@@ -278,6 +297,7 @@ private:
   bool replace(int v, const Point_3& p, int w)
   {
     m_changed.clear();
+    const Triangle_patch::Limits limits = limits_at(v);
     std::size_t first = 0;
     const std::size_t n = m_leaving.size();
     while(first < n && !triangles.is_on_curve(m_leaving[first]))
@@ -301,7 +321,7 @@ private:
         ++i;
       }
       while(i < n && !triangles.is_on_curve(m_leaving[(first + i) % n]));
-      if(!m_patch.is_acceptable(triangles.points[v], m_limits))
+      if(!m_patch.is_acceptable(triangles.points[v], limits))
         return false;
       for(std::size_t j = begin; j < m_changed.size(); ++j)
         m_changed[j].second = m_patch.inputs()[j - begin];
@@ -328,7 +348,9 @@ private:
     std::priority_queue<Entry> queue;
     auto push = [&](int h)
     {
-      if(triangles.vector(h).squared_length() > m_longest * m_longest)
+      const double longest =
+        m_longest * (std::min)(relative_length(triangles.source(h)), relative_length(triangles.target(h)));
+      if(triangles.vector(h).squared_length() > longest * longest)
         queue.push(Entry(triangles.length(h), triangles.source(h), triangles.target(h)));
     };
     for(int h = 0; h < triangles.number_of_halfedges(); ++h)
@@ -410,7 +432,7 @@ private:
     m_patch.remove(triangle(g), m_face_input[g]);
     m_patch.add({ { p[a], p[d], p[c] } });
     m_patch.add({ { p[d], p[b], p[c] } });
-    Triangle_patch::Limits limits = m_limits;
+    Triangle_patch::Limits limits = limits_at(a);
     limits.quality = 0;
     if(!m_patch.is_acceptable(midpoint(p[a], p[b]), limits) || c == d || is_next_to(c, d) || !can_lose_a_face(a) ||
        !can_lose_a_face(b))
@@ -484,6 +506,8 @@ private:
 
   Reference_surface& m_input;
   const double m_shortest, m_longest, m_largest_curve_error;
+  std::vector<double> m_relative_length; // per face of the input: in target edge lengths; empty: one everywhere
+  double m_largest_relative_length = 1;
   Triangle_patch::Limits m_limits;
   Stage_progress m_progress;
   std::vector<Input_of_face> m_face_input; // per face

@@ -31,10 +31,12 @@ struct Working_triangles
 };
 
 // is_feature: per edge of the input
+// `face_length`: the target edge length per face, or empty where it is the same everywhere.
 CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(Reference_surface& input,
                                                                 const std::vector<char>& is_feature,
-                                                                double target_edge_length, Any_visitor& visitor,
-                                                                Working_triangles& result);
+                                                                double target_edge_length,
+                                                                const std::vector<double>& face_length,
+                                                                Any_visitor& visitor, Working_triangles& result);
 
 } // namespace internal
 } // namespace Quad_meshing

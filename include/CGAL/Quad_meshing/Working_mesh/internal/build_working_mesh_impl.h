@@ -49,8 +49,9 @@ inline void write_working_triangles(const Working_mesh_builder& builder, Working
 
 CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(Reference_surface& input,
                                                                 const std::vector<char>& is_feature,
-                                                                double target_edge_length, Any_visitor& visitor,
-                                                                Working_triangles& result)
+                                                                double target_edge_length,
+                                                                const std::vector<double>& face_length,
+                                                                Any_visitor& visitor, Working_triangles& result)
 {
   Working_mesh_result r;
   r.input_faces = input.mesh().corners.size();
@@ -60,10 +61,17 @@ CGAL_QUAD_MESHING_INLINE Working_mesh_result build_working_mesh(Reference_surfac
     r.message = "The target edge length is not a positive number.";
     return r;
   }
+  for(double l : face_length)
+    if(!(l > 0) || !std::isfinite(l))
+    {
+      r.status = Working_mesh_status::INVALID_PARAMETERS;
+      r.message = "A target edge length of a face is not a positive number.";
+      return r;
+    }
   const Visited_stage stage(visitor, "working mesh");
   Real_timer timer;
   timer.start();
-  Working_mesh_builder builder(input, is_feature, target_edge_length, visitor);
+  Working_mesh_builder builder(input, is_feature, target_edge_length, face_length, visitor);
   if(!builder.run())
   {
     r.status = Working_mesh_status::STOPPED;
