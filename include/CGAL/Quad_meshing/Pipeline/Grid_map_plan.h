@@ -92,6 +92,8 @@ struct Grid_map_plan_rule
 folded triangles.
 - "other field": a field whose singularities lie elsewhere: of `REPRESENTATION` if `POLISHED` was asked for, else of
 `POLISHED`.
+- "shorter edges", "still shorter edges", "shortest edges": 0.85, 0.7 and 0.5 times the length, where integers are to
+blame for folded triangles; the message says that there are more quads than were asked for.
 - "release within 2", "release within 4", "release within 8": without the detected feature edges that are this near to
 folded triangles.
 - "release curves within 2", "release curves within 8": without the curves of the user there, the last resort; the
