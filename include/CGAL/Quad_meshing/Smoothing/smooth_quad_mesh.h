@@ -174,7 +174,10 @@ Quad_mesh_smoothing_result smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm
   return internal::smooth_quad_mesh_with(
     qm, np_qm,
     [&](const internal::Indexed_quad_mesh& m)
-    { return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm)); });
+    {
+      return internal::Smoothing_reference(m,
+                                           internal::make_indexed_reference<internal_np::face_sizing_map_t>(tm, np_tm));
+    });
 }
 
 /*!

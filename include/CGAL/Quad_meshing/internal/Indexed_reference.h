@@ -39,7 +39,7 @@ struct Indexed_reference
 };
 
 // Copies a triangle mesh; reads its named parameters `vertex_point_map` and `edge_is_constrained_map`.
-template <typename TriangleMesh, typename NamedParameters>
+template <typename... AlsoTaken, typename TriangleMesh, typename NamedParameters>
 Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -47,7 +47,7 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
 
   check_parameters<NamedParameters, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
-                   internal_np::edge_is_constrained_t>();
+                   internal_np::edge_is_constrained_t, AlsoTaken...>();
 
   const auto vpm =
     choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
