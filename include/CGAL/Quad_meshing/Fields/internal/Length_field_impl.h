@@ -38,8 +38,8 @@ CGAL_QUAD_MESHING_INLINE bool Length_field::measure(const std::vector<char>& is_
 
 CGAL_QUAD_MESHING_INLINE double Length_field::adapted(int f, double factor) const
 {
-  // Edges vary by a tenth about the length asked for, and their distances from the surface by two: with so much of the
-  // length that reaches the distance, more than nineteen of twenty keep it.
+  // Edges vary about the length asked for, and their distances from the surface by its square: with so much of the
+  // length that reaches the distance, they keep it on average.
   const double share_of_chord = 0.8;
   switch(m_options.method)
   {

@@ -18,6 +18,7 @@
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,12 +82,14 @@ private:
       const Point_3 center = p - r * n;
       const Search search(m_tree, center, 1);
       const Point_3 q = search.begin()->first.first;
-      const Vector_3 d = p - q, to_p = p - center, to_q = q - center;
-      if(std::sqrt(to_q.squared_length()) >= emptiness * r || !(d * n > 0))
+      const Vector_3 d = p - q;
+      if(std::sqrt(squared_distance(q, center)) >= emptiness * r || !(d * n > 0))
         break;
+      const double next = d.squared_length() / (2 * (d * n));
+      const Vector_3 to_p = next * n, to_q = to_p - d; // from the center of the next ball
       if(std::atan2(std::sqrt(cross_product(to_p, to_q).squared_length()), to_p * to_q) < least_angle)
         break;
-      r = d.squared_length() / (2 * (d * n));
+      r = next;
     }
     return r;
   }
