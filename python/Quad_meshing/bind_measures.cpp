@@ -145,7 +145,7 @@ py::tuple optimize_structure(const Doubles& points, const Integers& quads, const
                                                .target_number_of_patches(target_patches));
     qm.collect_garbage();
   }
-  if(result.status != QM::Structure_optimization_status::OPTIMIZED)
+  if(result.status != QM::Quad_mesh_status::SUCCESS)
     throw std::runtime_error(result.message);
   return py::make_tuple(points_array(qm), faces_array(qm, 4), result.message);
 }

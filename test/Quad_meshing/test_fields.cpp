@@ -610,7 +610,7 @@ void test_close_pairs()
         {
           I::Cross_field merged = spoilt;
           I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
-          I::merge_close_pairs(problem, laplacian, reach, quads, merged, silent.progress);
+          I::merge_close_pairs(problem, laplacian, 2 * reach, quads, merged, silent.progress);
           if(reach < straight)
             assert(merged.period_jump == spoilt.period_jump && merged.angle == spoilt.angle);
           else
@@ -659,7 +659,7 @@ void test_close_pairs()
         laplacian.solve_angles(merged);
         assert(I::field_indices(problem, merged) != I::field_indices(problem, field));
         I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
-        I::merge_close_pairs(problem, laplacian, 0.2, quads, merged, silent.progress);
+        I::merge_close_pairs(problem, laplacian, 0.4, quads, merged, silent.progress);
         assert(I::field_indices(problem, merged) == I::field_indices(problem, field));
         assert(std::abs(problem.energy(merged) - problem.energy(field)) < 1e-9);
       }

@@ -545,6 +545,16 @@ void test_separated_rounding()
   assert(solvable > trials / 4 && optimal > 0.8 * solvable);
 }
 
+std::vector<bool> no_nodes(const QM::internal::Indexed_triangle_mesh& mesh)
+{
+  return std::vector<bool>(mesh.number_of_vertices(), false);
+}
+
+std::vector<double> equal_weights(const QM::internal::Indexed_triangle_mesh& mesh)
+{
+  return std::vector<double>(mesh.number_of_faces(), 1.);
+}
+
 // A displacement that folds triangles when it is simply added is made without folding; an impossible one is not made.
 void test_carrying()
 {
@@ -561,8 +571,9 @@ void test_carrying()
   const std::vector<bool> is_aligned(mesh.number_of_edges(), false);
   stage_checks::Silent_progress silent;
   QM::internal::Integer_grid_solver solver(mesh, angle, jump, quarters, is_aligned,
-                                           std::vector<double>(mesh.number_of_faces(), 0.15), 1, silent.progress);
-  assert(solver.solve_seamless(1, 5) && solver.number_of_integers() > 0);
+                                           std::vector<double>(mesh.number_of_faces(), 0.15), no_nodes(mesh), 1,
+                                           silent.progress);
+  assert(solver.solve_seamless(equal_weights(mesh), 1, 5) && solver.number_of_integers() > 0);
   const QM::internal::Vertex_sectors sectors(solver.coordinates, quarters, is_aligned);
   QM::internal::Map_optimization optimization(solver.coordinates, solver.faces, sectors, silent.progress);
   assert(optimization.folded_faces(solver.relaxed).empty());
@@ -737,8 +748,8 @@ struct Solver_of
     for(Mesh::Vertex_index v : m.tm.vertices())
       quarters.push_back((m.tm.is_border(v) ? 2 : 4) - m.index[v]);
     solver.reset(new QM::internal::Integer_grid_solver(mesh, angle, jump, quarters, is_aligned,
-                                                       std::vector<double>(mesh.number_of_faces(), length), 1,
-                                                       silent.progress));
+                                                       std::vector<double>(mesh.number_of_faces(), length),
+                                                       no_nodes(mesh), 1, silent.progress));
   }
 };
 
@@ -851,7 +862,7 @@ void test_stiffening()
   const double length = 0.25;
   const Mapped m = map_of(test_meshes::grid(12, 12), length, QM::Rounding_method::GREEDY, "square");
   Solver_of s(m, length);
-  assert(s.solver->solve_seamless(1, 0));
+  assert(s.solver->solve_seamless(equal_weights(s.solver->mesh), 1, 0));
   const auto& coordinates = s.solver->coordinates;
   QM::internal::Stiffening flat(coordinates, s.solver->faces);
   flat.update_weights(s.solver->relaxed);
@@ -940,7 +951,7 @@ void test_separations()
   {
     const Mapped m = map_of(test_meshes::grid(20, 3, 2, height), length, QM::Rounding_method::GREEDY, "strip");
     Solver_of s(m, length);
-    assert(s.solver->solve_seamless(1, 0));
+    assert(s.solver->solve_seamless(equal_weights(s.solver->mesh), 1, 0));
     const QM::internal::Separations separations(s.solver->coordinates, s.solver->grid_points(), s.is_aligned,
                                                 s.solver->relaxed, s.silent.progress);
     assert(separations.list.empty() == (height > 1.5 * length));

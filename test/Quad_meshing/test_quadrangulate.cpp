@@ -214,7 +214,8 @@ void test_semi_regular()
     assert(figures.quads == r.quads && figures.irregular_vertices() == r.irregular_vertices);
     assert(figures.irregular_vertices() == quad_mesh_checks::figures(optimized).irregular_vertices());
     assert(r.folded_quads <= before.folded_quads);
-    assert(r.not_semi_regular_components == 0 && std::abs(double(r.quads) - 600) <= 0.05 * 600);
+    // few patches, each of whole quads
+    assert(r.not_semi_regular_components == 0 && std::abs(double(r.quads) - 600) <= 0.08 * 600);
   }
 }
 
