@@ -50,7 +50,7 @@ Border edges are not marked; a crease that ends on the border does not end freel
 
 \param tm the triangle mesh
 \param angle_in_degrees the least angle between the normals at a sharp edge; 180 or more marks nothing
-\param target_edge_length the length of a quad edge, in the unit of the points; with 0 nothing is dropped
+\param target_edge_length the length of a quad edge, in the unit of the points; with 0 nothing is dropped or replaced
 \param is_feature receives a value for every edge
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`
 

@@ -66,9 +66,12 @@ CGAL_QUAD_MESHING_INLINE Feature_edges_result find_feature_edges(const Indexed_t
   std::vector<char> is_sharp = find_sharp_edges(m, angle_in_degrees);
   const std::vector<char> is_sharp_at_first = is_sharp;
   // Before, so that a sliver does not part two patches; after, for what is left of narrow patches may run to and fro.
-  Crease_straightening(m, is_sharp).run();
+  const bool knows_noise = target_edge_length > 0;
+  if(knows_noise)
+    Crease_straightening(m, is_sharp).run();
   result.number_of_dropped_pieces = merge_narrow_patches(m, least_width, is_sharp);
-  Crease_straightening(m, is_sharp).run();
+  if(knows_noise)
+    Crease_straightening(m, is_sharp).run();
   std::vector<int> sharp_edges; // in the order of the graph
   for(int e = 0; e < m.number_of_edges(); ++e)
     if(is_sharp[e] || is_sharp_at_first[e])

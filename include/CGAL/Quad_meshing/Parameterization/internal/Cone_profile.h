@@ -93,6 +93,10 @@ private:
     if(!(angle > 0))
       return;
     const double exponent = sector.quarters * Vertex_sectors::right_angle / angle - 1;
+    // A corner that is about as wide on the surface as in the map, such as that of a box, needs nothing.
+    const double least_exponent = 0.1;
+    if(std::abs(exponent) < least_exponent)
+      return;
     for(std::size_t k = 0; k < front.size(); ++k)
     {
       const int f = front[k];
