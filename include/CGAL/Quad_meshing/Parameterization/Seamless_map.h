@@ -12,9 +12,11 @@
 #include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
+#include <CGAL/Quad_meshing/Parameterization/T_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/solve_grid_map.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/read_parameter.h>
@@ -137,6 +139,23 @@ public:
                                            std::to_string(m_solver->mesh().number_of_faces()) +
                                            " triangles of the map are folded over.";
     return result;
+  }
+
+  /*!
+  returns the T-mesh of the map, in quad edges of the length that was last rounded for.
+
+  Its rounded lengths are those that the integers chosen by `round()` give, whether or not the integer-grid map is
+  valid. There is a T-mesh if the seamless map has no fold-overs and all borders are aligned; else
+  `T_mesh::is_valid()` is false and `T_mesh::message` says why.
+
+  \pre `round()` was called
+  */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  T_mesh t_mesh(const NamedParameters& np = parameters::default_values()) const
+  {
+    CGAL_precondition(m_is_solved);
+    internal::Named_visitor<NamedParameters> visitor(np);
+    return m_solver->t_mesh(visitor);
   }
 
 private:

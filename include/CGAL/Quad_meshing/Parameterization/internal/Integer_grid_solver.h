@@ -20,6 +20,7 @@
 #include <CGAL/Quad_meshing/Parameterization/internal/Separated_rounding.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Separations.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Stiffening.h>
+#include <CGAL/Quad_meshing/Parameterization/internal/T_mesh_builder.h>
 #include <CGAL/Quad_meshing/Parameterization/internal/Vertex_sectors.h>
 #include <CGAL/Quad_meshing/internal/Stage_progress.h>
 #include <CGAL/Quad_meshing/internal/binary_unit.h>
@@ -219,29 +220,38 @@ public:
 
   // Rounds the real variables to multiples of a power of two that is so small that no sum of a corner's terms and no
   // difference of corners rounds: from then on all conditions on the map hold exactly in doubles.
-  void make_exact()
+  void make_exact() { round_to_unit(x, coordinates.is_integer); }
+
+  // The T-mesh of the seamless map. Its rounded lengths are those of the integers that `round()` chose.
+  T_mesh t_mesh(const std::vector<bool>& is_aligned) const
   {
-    double largest = 1;
-    for(int w = 0; w < charts.number_of_wedges(); ++w)
-      for(int c = 0; c < 2; ++c)
+    T_mesh none;
+    if(!folded_before_rounding.empty())
+    {
+      none.message = "The seamless map is folded over.";
+      return none;
+    }
+    Eigen::VectorXd exact = relaxed;
+    round_to_unit(exact, std::vector<bool>(coordinates.number_of_variables(), false));
+    const auto seamless = std::make_shared<Seamless_charts>();
+    seamless->mesh = mesh;
+    seamless->corner = corners(exact);
+    seamless->is_aligned = is_aligned;
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+      seamless->turn.push_back(
+        static_cast<signed char>(mesh.opposite[h] == -1 ? 0 : Combed_charts::modulo_4(charts.quarters_across(h))));
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+      if(orientation(point(seamless->corner[3 * f]), point(seamless->corner[3 * f + 1]),
+                     point(seamless->corner[3 * f + 2])) != LEFT_TURN)
       {
-        double sum = 0;
-        for(const auto& t : coordinates.coordinates[w][c])
-          sum += std::abs(t.second * x[t.first]);
-        largest = (std::max)(largest, sum);
+        none.message = "The seamless map has triangles without area.";
+        return none;
       }
-    const int significant_bits = 48;
-    const double unit = binary_unit(largest, significant_bits);
-    for(int i = 0; i < coordinates.number_of_variables(); ++i)
-      if(!coordinates.is_integer[i])
-        x[i] = std::round(x[i] / unit) * unit;
+    // Lengths of closed chains depend on no real variable; those of lines that cut annuli may begin anywhere.
+    return T_mesh_builder::build(seamless, corners(x.array().round().matrix()), t_mesh_nodes(is_aligned), m_progress);
   }
 
-  Point_2 corner(int f, int k) const
-  {
-    const int w = charts.wedge_of_corner[3 * f + k];
-    return Point_2(coordinates.value(w, 0, x), coordinates.value(w, 1, x));
-  }
+  Point_2 corner(int f, int k) const { return point(corner_place(3 * f + k, x)); }
 
   // The faces whose images are not positively oriented, decided exactly, and those around vertices that
   // the images wind around with a wrong angle; on an exact map this angle is a multiple of a right one.
@@ -285,6 +295,58 @@ private:
     return m_optimization.untangle(y, coordinates.is_integer, few_rings) ||
            m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), more_rings,
                                    few_steps);
+  }
+
+  Chart_point corner_place(int h, const Eigen::VectorXd& y) const
+  {
+    const int w = charts.wedge_of_corner[h];
+    return { { coordinates.value(w, 0, y), coordinates.value(w, 1, y) } };
+  }
+
+  static Point_2 point(const Chart_point& p) { return Point_2(p[0], p[1]); }
+
+  std::vector<Chart_point> corners(const Eigen::VectorXd& y) const
+  {
+    std::vector<Chart_point> result;
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+      result.push_back(corner_place(h, y));
+    return result;
+  }
+
+  // Per vertex: irregular ones, other grid points, and where aligned edges end, branch or turn.
+  std::vector<bool> t_mesh_nodes(const std::vector<bool>& is_aligned) const
+  {
+    std::vector<bool> result = grid_points();
+    std::vector<int> aligned_edges(mesh.number_of_vertices(), 0);
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+      if(is_aligned[e])
+        for(int v : { mesh.source(mesh.halfedge_of_edge[e]), mesh.target(mesh.halfedge_of_edge[e]) })
+          ++aligned_edges[v];
+    for(const Vertex_sectors::Sector& s : m_sectors.list)
+      if(s.is_irregular)
+        result[s.vertex] = true;
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      if(aligned_edges[v] != 0 && aligned_edges[v] != 2)
+        result[v] = true;
+    return result;
+  }
+
+  void round_to_unit(Eigen::VectorXd& y, const std::vector<bool>& is_fixed) const
+  {
+    double largest = 1;
+    for(int w = 0; w < charts.number_of_wedges(); ++w)
+      for(int c = 0; c < 2; ++c)
+      {
+        double sum = 0;
+        for(const auto& t : coordinates.coordinates[w][c])
+          sum += std::abs(t.second * y[t.first]);
+        largest = (std::max)(largest, sum);
+      }
+    const int significant_bits = 48;
+    const double unit = binary_unit(largest, significant_bits);
+    for(int i = 0; i < coordinates.number_of_variables(); ++i)
+      if(!is_fixed[i])
+        y[i] = std::round(y[i] / unit) * unit;
   }
 
   Eigen::VectorXd with_integers_of(const Eigen::VectorXd& y, Eigen::VectorXd z) const

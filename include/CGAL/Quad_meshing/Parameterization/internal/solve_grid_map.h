@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Mixed_integer/Rounding_method.h>
 #include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
+#include <CGAL/Quad_meshing/Parameterization/T_mesh.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
@@ -76,6 +77,9 @@ public:
   CGAL_QUAD_MESHING_INLINE Integer_grid_map_status round(double relative_length, Rounding_method method,
                                                          Any_visitor& visitor, std::vector<std::array<double, 2>>& uv,
                                                          Integer_grid_map_result& result);
+
+  // The T-mesh of the seamless map, with the integers of the last rounding. Before there was one, there is no T-mesh.
+  CGAL_QUAD_MESHING_INLINE T_mesh t_mesh(Any_visitor& visitor) const;
 
   CGAL_QUAD_MESHING_INLINE const Indexed_triangle_mesh& mesh() const;
 

@@ -136,6 +136,18 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double r
   return folded.empty() ? Integer_grid_map_status::VALID : Integer_grid_map_status::FOLDED;
 }
 
+CGAL_QUAD_MESHING_INLINE T_mesh Grid_map_solver::t_mesh(Any_visitor& visitor) const
+{
+  Data& d = *m_data;
+  if(!d.solver || d.solver->x.size() == 0)
+    return T_mesh();
+  const Visited_stage stage(visitor, "T-mesh");
+  d.visitor.visitor = &visitor;
+  d.progress.restart();
+  d.progress.begin_part(1.);
+  return d.solver->t_mesh(d.problem.is_aligned);
+}
+
 } // namespace internal
 } // namespace Quad_meshing
 } // namespace CGAL

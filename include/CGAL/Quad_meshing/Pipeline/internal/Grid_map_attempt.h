@@ -47,7 +47,8 @@ struct Grid_map_attempt
   int integers = 0;
   double energy = 0, relaxed_energy = 0;
 
-  std::shared_ptr<Quadrangulation_quads> quads; // null: not extracted
+  std::shared_ptr<Quadrangulation_quads> quads; // null: not made
+  bool is_from_t_mesh = false;                  // they are not extracted from the map
   bool is_simple = true;                        // its quads form a mesh
   std::string message;                          // of the extraction
   std::size_t other_faces = 0, irregular_vertices = 0;

@@ -16,6 +16,7 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Pipeline_visitor.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/quads_from_t_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -99,7 +100,7 @@ public:
       if(!plan)
         continue;
       std::shared_ptr<Grid_map_attempt> attempt = carry_out(*plan, best.get());
-      if(attempt && attempt->folded.empty() && !extract(*attempt))
+      if(attempt && attempt->folded.empty() && !attempt->quads && !extract(*attempt))
         attempt.reset();
       if(attempt && (!best || attempt->is_better_than(*best, m_options.requested_quads)))
         best = attempt;
@@ -297,6 +298,22 @@ private:
     attempt->relaxed_energy = r.relaxed_energy;
     attempt->folded = faces(r.folded_faces);
     attempt->folded_before_rounding = faces(r.folded_before_rounding);
+    // Where no integers were found that the map can follow, lengths of arcs of the T-mesh do.
+    if(std::getenv("QT") || (!attempt->folded.empty() && attempt->folded_before_rounding.empty()))
+    {
+      Real_timer timer;
+      timer.start();
+      const T_mesh t = field->map->t_mesh(parameters::visitor(std::ref(m_visitor)));
+      attempt->quads = quads_from_t_mesh(t);
+      attempt->is_from_t_mesh = attempt->quads != nullptr;
+      if(attempt->is_from_t_mesh)
+      {
+        attempt->folded.clear();
+        attempt->irregular_vertices = number_of_irregular_vertices(attempt->quads->mesh);
+        attempt->message = "The quads were made along the T-mesh of the seamless map.";
+      }
+      figures.parameterization_seconds += timer.time();
+    }
     return attempt;
   }
 
