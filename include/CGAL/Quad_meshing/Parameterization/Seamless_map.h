@@ -98,6 +98,46 @@ public:
   Integer_grid_map_result round(const TriangleMesh& tm, double relative_length, HalfedgeUVMap uv,
                                 const NamedParameters& np = parameters::default_values())
   {
+    return round(tm, relative_length, uv, true, np);
+  }
+
+  /*!
+  makes an integer-grid map as `round()`, but only if it comes at once: if the integers of the least energy put no two
+  things onto each other, and the map gets to them without folding. Otherwise the status is `FOLDED`, after little time;
+  the T-mesh leads on from there (`t_mesh()`).
+
+  The parameters are those of `round()`.
+  */
+  template <typename TriangleMesh, typename HalfedgeUVMap,
+            typename NamedParameters = parameters::Default_named_parameters>
+  Integer_grid_map_result round_without_repair(const TriangleMesh& tm, double relative_length, HalfedgeUVMap uv,
+                                               const NamedParameters& np = parameters::default_values())
+  {
+    return round(tm, relative_length, uv, false, np);
+  }
+
+  /*!
+  returns the T-mesh of the map, in quad edges of the length that was last rounded for.
+
+  Its rounded lengths are those that the integers chosen by `round()` give, whether or not the integer-grid map is
+  valid. There is a T-mesh if the seamless map has no fold-overs and all borders are aligned; else
+  `T_mesh::is_valid()` is false and `T_mesh::message` says why.
+
+  \pre `round()` was called
+  */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  T_mesh t_mesh(const NamedParameters& np = parameters::default_values()) const
+  {
+    CGAL_precondition(m_is_solved);
+    internal::Named_visitor<NamedParameters> visitor(np);
+    return m_solver->t_mesh(visitor);
+  }
+
+private:
+  template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+  Integer_grid_map_result round(const TriangleMesh& tm, double relative_length, HalfedgeUVMap uv, bool repairs,
+                                const NamedParameters& np)
+  {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     using parameters::get_parameter_reference;
@@ -119,7 +159,7 @@ public:
     std::vector<std::array<double, 2>> corner;
     result.status = m_solver->round(
       relative_length, choose_parameter(get_parameter(np, internal_np::rounding_method), Rounding_method::GREEDY),
-      any_visitor, corner, result);
+      repairs, any_visitor, corner, result);
     result.seconds = timer.time();
     if(result.status == Status::STOPPED)
     {
@@ -141,24 +181,6 @@ public:
     return result;
   }
 
-  /*!
-  returns the T-mesh of the map, in quad edges of the length that was last rounded for.
-
-  Its rounded lengths are those that the integers chosen by `round()` give, whether or not the integer-grid map is
-  valid. There is a T-mesh if the seamless map has no fold-overs and all borders are aligned; else
-  `T_mesh::is_valid()` is false and `T_mesh::message` says why.
-
-  \pre `round()` was called
-  */
-  template <typename NamedParameters = parameters::Default_named_parameters>
-  T_mesh t_mesh(const NamedParameters& np = parameters::default_values()) const
-  {
-    CGAL_precondition(m_is_solved);
-    internal::Named_visitor<NamedParameters> visitor(np);
-    return m_solver->t_mesh(visitor);
-  }
-
-private:
   template <typename TriangleMesh, typename FaceAngleMap, typename EdgePeriodJumpMap, typename VertexSingularityMap,
             typename NamedParameters>
   void compute(const TriangleMesh& tm, FaceAngleMap angle, EdgePeriodJumpMap period_jump, VertexSingularityMap index,

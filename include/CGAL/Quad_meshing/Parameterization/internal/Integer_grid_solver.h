@@ -137,8 +137,9 @@ public:
   // Chooses the integers and moves the map to them. The integers are those of the least energy that the method finds,
   // changed where two things were rounded onto each other. Then the seamless map is carried to the integers without
   // ever folding; where that gets stuck, things have come together that seemed to be far enough from each other: the
-  // integers are changed there too, and so on.
-  void round(Rounding_method method, const std::vector<bool>& is_aligned)
+  // integers are changed there too, and so on. Without repairs the first of these is tried, and nothing if two things
+  // were rounded onto each other.
+  void round(Rounding_method method, const std::vector<bool>& is_aligned, bool repairs)
   {
     m_is_carried = false;
     number_of_separations = number_of_broken_separations = 0;
@@ -157,8 +158,17 @@ public:
       return; // no order of things to be kept, nothing to be carried
     m_optimization.operations_left = most_operations;
     Separations separations(coordinates, grid_points(), is_aligned, relaxed, m_progress);
+    if(!repairs)
+    {
+      number_of_separations = static_cast<int>(separations.list.size());
+      number_of_broken_separations = static_cast<int>(
+        std::count_if(separations.list.begin(), separations.list.end(),
+                      [this](const Separations::Separation& s) { return !s.holds(x); }));
+      if(number_of_broken_separations == 0)
+        carry();
+      return;
+    }
     Separated_rounding separated(m_reduction.matrix(), m_reduction.linear_term(), number);
-    const Eigen::VectorXd start = m_reduction.complete(m_reduction.integers_of(relaxed));
     const int most_attempts = 8;
     std::size_t known = 0;
     for(int attempt = 0; attempt == 0 || (attempt < most_attempts && separations.list.size() > known); ++attempt)
@@ -171,13 +181,9 @@ public:
       x = m_reduction.complete(z);
       if(m_reduction.energy(x) > 0)
         break; // directions and lengths are worse than those of a map of everything to one point
-      Eigen::VectorXd y = relaxed;
-      m_is_carried = m_optimization.carry(y, x - start, coordinates.is_integer);
+      const Eigen::VectorXd y = carry();
       if(m_is_carried)
-      {
-        x = with_integers_of(x, y);
         break;
-      }
       separations.discover(y, 0.5); // things that came together; others are at least one unit apart
     }
     number_of_separations = static_cast<int>(separations.list.size());
@@ -295,6 +301,17 @@ private:
     return m_optimization.untangle(y, coordinates.is_integer, few_rings) ||
            m_optimization.untangle(y, std::vector<bool>(coordinates.number_of_variables(), false), more_rings,
                                    few_steps);
+  }
+
+  // Takes the seamless map to the integers of x, and returns how far it came; there, it becomes x.
+  Eigen::VectorXd carry()
+  {
+    const Eigen::VectorXd start = m_reduction.complete(m_reduction.integers_of(relaxed));
+    Eigen::VectorXd y = relaxed;
+    m_is_carried = m_optimization.carry(y, x - start, coordinates.is_integer);
+    if(m_is_carried)
+      x = with_integers_of(x, y);
+    return y;
   }
 
   Chart_point corner_place(int h, const Eigen::VectorXd& y) const

@@ -73,8 +73,9 @@ public:
   CGAL_QUAD_MESHING_INLINE double area() const;
 
   // Rounds a multiple of the seamless map, for these multiples of the lengths, and fills in the figures of the result.
+  // Without repairs, it gives up where the integers of the least energy put two things onto each other.
   // `uv` gets the image of the source of every halfedge in the chart of its face, if the status is VALID or FOLDED.
-  CGAL_QUAD_MESHING_INLINE Integer_grid_map_status round(double relative_length, Rounding_method method,
+  CGAL_QUAD_MESHING_INLINE Integer_grid_map_status round(double relative_length, Rounding_method method, bool repairs,
                                                          Any_visitor& visitor, std::vector<std::array<double, 2>>& uv,
                                                          Integer_grid_map_result& result);
 

@@ -94,7 +94,7 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::solve(Any_visi
   return Integer_grid_map_status::VALID;
 }
 
-CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double relative_length, Rounding_method method,
+CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double relative_length, Rounding_method method, bool repairs,
                                                                         Any_visitor& visitor,
                                                                         std::vector<std::array<double, 2>>& uv,
                                                                         Integer_grid_map_result& result)
@@ -112,11 +112,12 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double r
   if(relative_length != d.relative_length)
     solver.scale(d.relative_length / relative_length);
   d.relative_length = relative_length;
-  solver.round(method, d.problem.is_aligned);
+  solver.round(method, d.problem.is_aligned, repairs);
   if(!d.progress.go_further(rounded))
     return Integer_grid_map_status::STOPPED;
   d.progress.begin_part(1.);
-  solver.remove_fold_overs(d.options.stiffening_iterations, d.options.anisotropy_weight);
+  if(repairs || !solver.folded_before_rounding.empty())
+    solver.remove_fold_overs(d.options.stiffening_iterations, d.options.anisotropy_weight);
   solver.make_exact();
   if(!d.progress.go_further(1.))
     return Integer_grid_map_status::STOPPED;

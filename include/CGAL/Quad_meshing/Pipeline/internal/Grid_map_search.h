@@ -286,35 +286,54 @@ private:
     attempt->field = field;
     attempt->relative_length = relative_length;
     attempt->uv.resize(m_surface.mesh.number_of_halfedges());
-    const Integer_grid_map_result r = field->map->round(
-      m_surface.mesh, attempt->length(), map_of(boost::halfedge_index, attempt->uv),
-      parameters::rounding_method(m_options.quadrangulation.rounding_method).visitor(std::ref(m_visitor)));
+    if(!round(*attempt, false))
+      return nullptr;
+    // Where no integers come at once that the map can follow, lengths of the arcs of its T-mesh do.
+    if(!attempt->folded.empty() && attempt->folded_before_rounding.empty() && !make_quads_of_t_mesh(*attempt) &&
+       !round(*attempt, true))
+      return nullptr;
+    return attempt;
+  }
+
+  // Returns false after a stop.
+  bool round(Grid_map_attempt& attempt, bool repairs)
+  {
+    const auto uv = map_of(boost::halfedge_index, attempt.uv);
+    const auto np =
+      parameters::rounding_method(m_options.quadrangulation.rounding_method).visitor(std::ref(m_visitor));
+    Seamless_map& map = *attempt.field->map;
+    const Integer_grid_map_result r = repairs ? map.round(m_surface.mesh, attempt.length(), uv, np)
+                                              : map.round_without_repair(m_surface.mesh, attempt.length(), uv, np);
     ++figures.parameterization_attempts;
     figures.parameterization_seconds += r.seconds;
     if(r.status == Integer_grid_map_status::STOPPED)
-      return stopped(r.message);
-    attempt->integers = r.integers;
-    attempt->energy = r.energy;
-    attempt->relaxed_energy = r.relaxed_energy;
-    attempt->folded = faces(r.folded_faces);
-    attempt->folded_before_rounding = faces(r.folded_before_rounding);
-    // Where no integers were found that the map can follow, lengths of arcs of the T-mesh do.
-    if(std::getenv("QT") || (!attempt->folded.empty() && attempt->folded_before_rounding.empty()))
     {
-      Real_timer timer;
-      timer.start();
-      const T_mesh t = field->map->t_mesh(parameters::visitor(std::ref(m_visitor)));
-      attempt->quads = quads_from_t_mesh(t);
-      attempt->is_from_t_mesh = attempt->quads != nullptr;
-      if(attempt->is_from_t_mesh)
-      {
-        attempt->folded.clear();
-        attempt->irregular_vertices = number_of_irregular_vertices(attempt->quads->mesh);
-        attempt->message = "The quads were made along the T-mesh of the seamless map.";
-      }
-      figures.parameterization_seconds += timer.time();
+      stopped(r.message);
+      return false;
     }
-    return attempt;
+    attempt.integers = r.integers;
+    attempt.energy = r.energy;
+    attempt.relaxed_energy = r.relaxed_energy;
+    attempt.folded = faces(r.folded_faces);
+    attempt.folded_before_rounding = faces(r.folded_before_rounding);
+    return true;
+  }
+
+  // Returns whether there are quads now.
+  bool make_quads_of_t_mesh(Grid_map_attempt& attempt)
+  {
+    Real_timer timer;
+    timer.start();
+    const T_mesh t = attempt.field->map->t_mesh(parameters::visitor(std::ref(m_visitor)));
+    attempt.quads = quads_from_t_mesh(t);
+    figures.extraction_seconds += timer.time();
+    if(!attempt.quads)
+      return false;
+    attempt.is_from_t_mesh = true;
+    attempt.folded.clear();
+    attempt.irregular_vertices = number_of_irregular_vertices(attempt.quads->mesh);
+    attempt.message = "The quads were made along the T-mesh of the seamless map.";
+    return true;
   }
 
   // The map of a field, for the length asked for, and the length at which it has as many quads as are asked for.
