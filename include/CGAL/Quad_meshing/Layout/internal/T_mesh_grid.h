@@ -39,9 +39,15 @@ public:
     int width, height;
   };
 
+  struct Aligned_edge
+  {
+    std::array<int, 2> points;
+    int arc;
+  };
+
   std::vector<Quad> quads;
   std::vector<Block> blocks;                      // per patch
-  std::vector<std::array<int, 2>> aligned_edges;  // points
+  std::vector<Aligned_edge> aligned_edges;
   int number_of_points = 0;                       // of the T-mesh, and inside patches
 
   T_mesh_grid(const T_mesh& t, const std::vector<int>& length)
@@ -58,8 +64,9 @@ public:
     for(std::size_t a = 0; a < t.arcs.size(); ++a)
       if(t.arcs[a].is_aligned)
         for(int i = 0; i < length[a]; ++i)
-          aligned_edges.push_back({ { representative(collapsed.point(2 * static_cast<int>(a), i)),
-                                      representative(collapsed.point(2 * static_cast<int>(a), i + 1)) } });
+          aligned_edges.push_back({ { { representative(collapsed.point(2 * static_cast<int>(a), i)),
+                                        representative(collapsed.point(2 * static_cast<int>(a), i + 1)) } },
+                                    static_cast<int>(a) });
   }
 
   // The point that a point of the T-mesh has become.
@@ -94,8 +101,17 @@ public:
           lengthen(known.first->second);
         }
       }
-    // Both directions of an edge must belong to one edge, not to two: then one of them would occur twice as well, but
-    // on the border.
+    // Where two edges join the same vertices, one of their directions occurs twice, unless both lie on the border.
+    std::map<std::pair<int, int>, int> arc_of; // undirected edges
+    for(const Aligned_edge& e : aligned_edges)
+    {
+      const auto known = arc_of.emplace(std::minmax(e.points[0], e.points[1]), e.arc);
+      if(!known.second)
+      {
+        arcs.push_back(e.arc);
+        arcs.push_back(known.first->second);
+      }
+    }
     std::sort(arcs.begin(), arcs.end());
     arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
     return arcs;

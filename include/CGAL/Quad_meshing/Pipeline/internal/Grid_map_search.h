@@ -12,11 +12,12 @@
 #include <CGAL/Quad_meshing/Extraction/extract_quad_mesh.h>
 #include <CGAL/Quad_meshing/Extraction/transfer_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
+#include <CGAL/Quad_meshing/Layout/quads_of_t_mesh.h>
+#include <CGAL/Quad_meshing/Layout/quantize_t_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Grid_map_attempt.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Pipeline_visitor.h>
-#include <CGAL/Quad_meshing/Pipeline/internal/quads_from_t_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/release_features.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
@@ -325,15 +326,28 @@ private:
     Real_timer timer;
     timer.start();
     const T_mesh t = attempt.field->map->t_mesh(parameters::visitor(std::ref(m_visitor)));
-    attempt.quads = quads_from_t_mesh(t);
+    std::vector<int> lengths;
+    auto quads = std::make_shared<Quadrangulation_quads>();
+    const bool is_made = quantize_t_mesh(t, lengths).is_valid &&
+                         quads_of_t_mesh(t, lengths, m_surface.mesh, quads->mesh, quads->is_feature,
+                                         parameters::face_location_map(quads->location));
     figures.extraction_seconds += timer.time();
-    if(!attempt.quads)
+    if(!is_made)
       return false;
+    attempt.quads = quads;
     attempt.is_from_t_mesh = true;
+    attempt.is_simple = true;
+    attempt.other_faces = 0;
     attempt.folded.clear();
-    attempt.irregular_vertices = number_of_irregular_vertices(attempt.quads->mesh);
+    attempt.irregular_vertices = count_irregular_vertices(quads->mesh);
     attempt.message = "The quads were made along the T-mesh of the seamless map.";
     return true;
+  }
+
+  static std::size_t count_irregular_vertices(const Mesh& mesh)
+  {
+    return std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                         [&](Mesh::Vertex_index v) { return mesh.degree(v) != (mesh.is_border(v) ? 3u : 4u); });
   }
 
   // The map of a field, for the length asked for, and the length at which it has as many quads as are asked for.
@@ -405,6 +419,8 @@ private:
     attempt.other_faces = r.other_faces;
     attempt.irregular_vertices = r.irregular_vertices + r.irregular_border_vertices;
     attempt.is_simple = r.status != Quad_extraction_status::NOT_SIMPLE;
+    if(!attempt.is_simple && make_quads_of_t_mesh(attempt)) // there, no grid is too coarse
+      return true;
     transfer_feature_edges(m_surface.mesh, map_of(boost::edge_index, attempt.field->is_feature), quads->mesh,
                            quads->location, quads->is_feature);
     attempt.quads = quads;
