@@ -52,6 +52,9 @@ struct Singularity_pair
 // An excess from here on is closer to one quad than to none.
 const double one_quad_too_many = 0.75;
 
+// A narrow sector between aligned edges has no quad to give away, though a whole one does not fit.
+inline bool can_give_a_quad(int quads, double fitting) { return quads > 1 && quads - fitting > one_quad_too_many; }
+
 // Appends the pairs of the singularity of a sector, which lacks quads, with all opposite ones within reach: nearer than
 // that in space, which is what a map cannot tell apart, on a path not much longer. `front` and `arrived_by`, the
 // halfedge by which a sector was reached, are work space of one entry per sector.
@@ -72,7 +75,7 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
   for(double length; front.pop(s, length);)
   {
     const double straight = (m.points[sectors.vertex[s]] - m.points[sectors.vertex[sector]]).squared_length();
-    if(quads[s] - fitting[s] > one_quad_too_many && straight < reach * reach)
+    if(can_give_a_quad(quads[s], fitting[s]) && straight < reach * reach)
     {
       Singularity_pair pair = { length, sector, s, std::vector<int>() };
       for(int h = arrived_by[s]; h != -1; h = arrived_by[sectors.of_corner[h]])
@@ -122,7 +125,8 @@ inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian
                      [](const Singularity_pair& a, const Singularity_pair& b) { return a.length < b.length; });
     for(const Singularity_pair& pair : pairs)
     {
-      if(!(excess(pair.lacking) < -one_quad_too_many && excess(pair.abundant) > one_quad_too_many))
+      if(!(excess(pair.lacking) < -one_quad_too_many &&
+           can_give_a_quad(quads.state()[pair.abundant], fitting[pair.abundant])))
         continue;
       for(int h : pair.path)
       {
