@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_CREASE_GRAPH_H
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_type_config.h>
 
 #include <array>
 #include <cmath>
@@ -54,6 +55,7 @@ public:
       return 0;
     const double shortest_branch = 1.5 * quad_edge_length;
     const double shortest_open = 25 * quad_edge_length, shortest_closed = 5 * quad_edge_length;
+    const double shortest_loop = 1.5 * quad_edge_length; // of a rim: three quads around it are not half as long as asked
     const double least_straightness = 0.85, shortest_mean_chain = 1.5 * quad_edge_length;
     std::size_t dropped = 0;
     while(drop_short_branches(shortest_branch, dropped))
@@ -72,6 +74,8 @@ public:
         for(int v : m_ends[e])
           ends_freely = ends_freely || (degree(v) == 1 && !is_held[v]);
       }
+      if(total >= shortest_loop && is_round(component))
+        continue;
       if(total < (ends_freely ? shortest_open : shortest_closed) ||
          straightness(component, 2 * quad_edge_length) < least_straightness ||
          mean_chain_length(component) < shortest_mean_chain)
@@ -170,6 +174,29 @@ private:
       }
     }
     return edges;
+  }
+
+  // Whether a component is one closed curve that turns little more than once around: no closed curve turns less, and only
+  // plane convex ones as little (Fenchel). Rims of holes and pins do, creases of noise run to and fro.
+  bool is_round(const std::vector<int>& component) const
+  {
+    const double most_turning = 1.15 * 2 * CGAL_PI; // a choice: noise of a tenth of the edges turns a circle so much more
+    for(int e : component)
+      for(int v : m_ends[e])
+        if(is_node(v))
+          return false;
+    const int start = m_ends[component.front()][0];
+    const std::vector<int> loop = chain(start, component.front());
+    double turning = 0;
+    int v = start;
+    for(std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const int w = other_end(loop[i], v), x = other_end(loop[(i + 1) % loop.size()], w);
+      const auto a = m_points[w] - m_points[v], b = m_points[x] - m_points[w];
+      turning += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+      v = w;
+    }
+    return turning <= most_turning;
   }
 
   bool is_node(int v) const { return degree(v) != 2 || is_held[v]; }
