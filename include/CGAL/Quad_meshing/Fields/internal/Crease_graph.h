@@ -56,6 +56,9 @@ public:
     const double shortest_branch = 1.5 * quad_edge_length;
     const double shortest_open = 25 * quad_edge_length, shortest_closed = 5 * quad_edge_length;
     const double shortest_loop = 1.5 * quad_edge_length; // of a rim: three quads around it are not half as long as asked
+    // An open crease as straight as a ruler is no noise, nor are curves that turn little from edge to edge.
+    const double least_straightness_of_open = 0.97, shortest_ruled = 3 * quad_edge_length;
+    const double most_mean_turn = 20 * CGAL_PI / 180;
     const double least_straightness = 0.85, shortest_mean_chain = 1.5 * quad_edge_length;
     std::size_t dropped = 0;
     while(drop_short_branches(shortest_branch, dropped))
@@ -76,8 +79,10 @@ public:
       }
       if(total >= shortest_loop && is_round(component))
         continue;
-      if(total < (ends_freely ? shortest_open : shortest_closed) ||
-         straightness(component, 2 * quad_edge_length) < least_straightness ||
+      const double straight = straightness(component, 2 * quad_edge_length);
+      const bool is_ruled = ends_freely && straight >= least_straightness_of_open && total >= shortest_ruled;
+      if((!is_ruled && total < (ends_freely ? shortest_open : shortest_closed)) ||
+         (straight < least_straightness && mean_turn(component) > most_mean_turn) ||
          mean_chain_length(component) < shortest_mean_chain)
       {
         for(int e : component)
@@ -191,12 +196,38 @@ private:
     int v = start;
     for(std::size_t i = 0; i < loop.size(); ++i)
     {
-      const int w = other_end(loop[i], v), x = other_end(loop[(i + 1) % loop.size()], w);
-      const auto a = m_points[w] - m_points[v], b = m_points[x] - m_points[w];
-      turning += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+      const int w = other_end(loop[i], v);
+      turning += turn(v, w, other_end(loop[(i + 1) % loop.size()], w));
       v = w;
     }
     return turning <= most_turning;
+  }
+
+  // The angle by which a path over three vertices turns.
+  double turn(int v, int w, int x) const
+  {
+    const auto a = m_points[w] - m_points[v], b = m_points[x] - m_points[w];
+    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+  }
+
+  // Over the inner vertices of the chains of a component.
+  double mean_turn(const std::vector<int>& component) const
+  {
+    double sum = 0;
+    int count = 0;
+    for(int e : component)
+      for(int v : m_ends[e])
+      {
+        if(is_node(v))
+          continue;
+        std::vector<int> ends;
+        for(int f : m_incident[v])
+          if(is_kept[f])
+            ends.push_back(other_end(f, v));
+        sum += turn(ends[0], v, ends[1]);
+        ++count;
+      }
+    return count > 0 ? sum / count : 0;
   }
 
   bool is_node(int v) const { return degree(v) != 2 || is_held[v]; }
