@@ -144,7 +144,8 @@ int main(int argc, char* argv[])
         "save-field", po::value<std::string>(),
         "file for the cross field: x y z of a centroid and of a direction per line; F.rosy: in that format, with its "
         "triangles in F.triangles.obj")("largest-component", "take the component of the largest area alone")(
-        "save-uv", po::value<std::string>(), "OBJ file for the integer-grid map as texture coordinates")(
+        "save-uv", po::value<std::string>(), "OBJ file for the map as texture coordinates: an integer-grid map, or a "
+        "seamless one where quads were made along its T-mesh")(
         "strict", "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
       command_line::add_greedy_rounding(options);
@@ -234,6 +235,9 @@ int main(int argc, char* argv[])
         write_field(args.value<std::string>("save-field"), q.surface());
       if(args.has("save-uv"))
         write_map(args.value<std::string>("save-uv"), q.surface());
+      if(args.has("save-uv") && !q.surface().t_meshes.empty())
+        std::cerr << "The map that was saved is not rounded to integers where quads were made along its T-mesh."
+                  << std::endl;
       if(q.quads().mesh.number_of_faces() > 0)
       {
         command_line::write_mesh(args.positional(1), q.quads().mesh, digits);

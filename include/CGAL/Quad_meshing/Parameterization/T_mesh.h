@@ -122,6 +122,9 @@ public:
   /// returns the polyline of an arc on the triangle mesh: where it begins, crosses edges, and ends.
   std::vector<Location> polyline(int arc) const;
 
+  /// returns the image of a corner of a face, 0 to 2, under the seamless map, in the chart of the face.
+  std::array<double, 2> image(std::size_t face, int corner) const { return m_charts->corner[3 * face + corner]; }
+
   /// returns the coordinates of a place.
   std::array<double, 3> position(const Location& l) const
   {

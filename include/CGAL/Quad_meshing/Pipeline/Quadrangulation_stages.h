@@ -14,10 +14,14 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
+
+class T_mesh;
 
 /// \ingroup PkgQuadMeshingRef
 /// \brief The kernel of a quadrangulation.
@@ -48,7 +52,10 @@ struct Quadrangulation_surface
   Mesh::Property_map<Mesh::Face_index, double> angle;       ///< the cross field
   Mesh::Property_map<Mesh::Edge_index, int> period_jump;    ///< the cross field
   Mesh::Property_map<Mesh::Vertex_index, int> index;        ///< the singularities of the cross field, in quarters
-  Mesh::Property_map<Mesh::Halfedge_index, Quadrangulation_kernel::Point_2> uv; ///< the integer-grid map
+  /// The integer-grid map; in components with a T-mesh, the seamless map that it would have been made of.
+  Mesh::Property_map<Mesh::Halfedge_index, Quadrangulation_kernel::Point_2> uv;
+  /// The T-meshes along which quads were made, of the components whose quads were not extracted from an integer-grid map.
+  std::vector<std::shared_ptr<const T_mesh>> t_meshes;
 
   /// makes an empty surface.
   Quadrangulation_surface()

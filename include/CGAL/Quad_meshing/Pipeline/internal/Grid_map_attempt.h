@@ -48,7 +48,7 @@ struct Grid_map_attempt
   double energy = 0, relaxed_energy = 0;
 
   std::shared_ptr<Quadrangulation_quads> quads; // null: not made
-  bool is_from_t_mesh = false;                  // they are not extracted from the map
+  std::shared_ptr<const T_mesh> t_mesh;         // along which they were made; null: they are extracted from the map
   bool is_simple = true;                        // its quads form a mesh
   std::string message;                          // of the extraction
   std::size_t other_faces = 0, irregular_vertices = 0;

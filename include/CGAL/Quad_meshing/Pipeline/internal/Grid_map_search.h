@@ -325,17 +325,26 @@ private:
   {
     Real_timer timer;
     timer.start();
-    const T_mesh t = attempt.field->map->t_mesh(parameters::visitor(std::ref(m_visitor)));
+    const auto t = std::make_shared<T_mesh>(attempt.field->map->t_mesh(parameters::visitor(std::ref(m_visitor))));
     std::vector<int> lengths;
     auto quads = std::make_shared<Quadrangulation_quads>();
-    const bool is_made = quantize_t_mesh(t, lengths).is_valid &&
-                         quads_of_t_mesh(t, lengths, m_surface.mesh, quads->mesh, quads->is_feature,
+    const bool is_made = quantize_t_mesh(*t, lengths).is_valid &&
+                         quads_of_t_mesh(*t, lengths, m_surface.mesh, quads->mesh, quads->is_feature,
                                          parameters::face_location_map(quads->location));
     figures.extraction_seconds += timer.time();
     if(!is_made)
       return false;
     attempt.quads = quads;
-    attempt.is_from_t_mesh = true;
+    attempt.t_mesh = t;
+    for(Mesh::Face_index f : m_surface.mesh.faces())
+    {
+      int k = 0;
+      for(Mesh::Halfedge_index h : m_surface.mesh.halfedges_around_face(m_surface.mesh.halfedge(f)))
+      {
+        const std::array<double, 2> p = t->image(f, ++k % 3); // of its target; corner 0 is the source of the first
+        attempt.uv[h] = Quadrangulation_kernel::Point_2(p[0], p[1]);
+      }
+    }
     attempt.is_simple = true;
     attempt.other_faces = 0;
     attempt.folded.clear();

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Parameterization/T_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/internal/Quad_shape.h>
@@ -158,7 +159,8 @@ CGAL_QUAD_MESHING_INLINE void add_layers_of_quads(Scene& scene, const Indexed_qu
 // The triangles of the work with the integer grid on them.
 inline Scene_layer layer_of_map(const Quadrangulation_surface& surface)
 {
-  Scene_layer layer = make_faces_layer(surface.mesh, "integer grid", "Field and map");
+  Scene_layer layer =
+    make_faces_layer(surface.mesh, surface.t_meshes.empty() ? "integer grid" : "seamless map", "Field and map");
   layer.side = Scene_side::LEFT;
   layer.has_sides = false;
   layer.color = "#d8e0c8";
@@ -170,6 +172,29 @@ inline Scene_layer layer_of_map(const Quadrangulation_surface& surface)
     origin.values.push_back(static_cast<double>(surface.origin[f]));
   }
   layer.numbers = { origin };
+  return layer;
+}
+
+// The arcs of T-meshes.
+inline Scene_layer layer_of_t_meshes(const std::vector<std::shared_ptr<const T_mesh>>& t_meshes)
+{
+  Scene_layer layer = layer_of_marks("T-mesh", "Field and map", Scene_layer_kind::LINES, Scene_side::LEFT);
+  layer.color = "#802080";
+  Scene_numbers length = named_numbers("length in the map", "quad edges", Scene_color_scale::SEQUENCE);
+  for(const auto& t : t_meshes)
+    for(std::size_t a = 0; a < t->arcs.size(); ++a)
+    {
+      const std::vector<T_mesh::Location> line = t->polyline(static_cast<int>(a));
+      std::size_t last = layer.add_point(t->position(line.front()));
+      for(std::size_t i = 1; i < line.size(); ++i)
+      {
+        const std::size_t next = layer.add_point(t->position(line[i]));
+        layer.add_element(std::array<std::size_t, 2>{ { last, next } });
+        length.values.push_back(t->arcs[a].length);
+        last = next;
+      }
+    }
+  layer.numbers = { length };
   return layer;
 }
 
@@ -229,6 +254,8 @@ CGAL_QUAD_MESHING_INLINE void add_layers_of_surface(Scene& scene, const Quadrang
                             " triangles, too many to be shown here.");
   else
     scene.layers.push_back(layer_of_map(surface));
+  if(!surface.t_meshes.empty())
+    scene.layers.push_back(layer_of_t_meshes(surface.t_meshes));
   scene.layers.push_back(layer_of_field(surface));
   scene.layers.push_back(layer_of_singularities(surface));
 }

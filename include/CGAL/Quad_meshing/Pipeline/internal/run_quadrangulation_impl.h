@@ -321,7 +321,11 @@ private:
       if(m_components.size() == 1)
         surface = std::move(m_surfaces.front());
       else
+      {
         surface->mesh += m_surfaces[i]->mesh; // with its maps, that have the same names
+        surface->t_meshes.insert(surface->t_meshes.end(), m_surfaces[i]->t_meshes.begin(),
+                                 m_surfaces[i]->t_meshes.end());
+      }
       if(m_components[i]->quads)
         append(*m_components[i]->quads, first_face, *quads);
     }

@@ -36,6 +36,8 @@ inline void take_attempt(const Grid_map_attempt& attempt, const Grid_map_search:
   assign_in_order(surface.mesh.edges(), field.period_jump, surface.period_jump);
   assign_in_order(surface.mesh.vertices(), field.index, surface.index);
   assign_in_order(surface.mesh.halfedges(), attempt.uv, surface.uv);
+  if(attempt.t_mesh)
+    surface.t_meshes.push_back(attempt.t_mesh);
   result.released_feature_share = options.releasable_length > 0 ? field.released_length / options.releasable_length : 0;
   result.singularities = field.singularities;
   result.field_integers = field.integers;
