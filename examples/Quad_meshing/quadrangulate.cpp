@@ -144,9 +144,10 @@ int main(int argc, char* argv[])
         "save-field", po::value<std::string>(),
         "file for the cross field: x y z of a centroid and of a direction per line; F.rosy: in that format, with its "
         "triangles in F.triangles.obj")("largest-component", "take the component of the largest area alone")(
-        "save-uv", po::value<std::string>(), "OBJ file for the map as texture coordinates: an integer-grid map, or a "
-        "seamless one where quads were made along its T-mesh")(
-        "strict", "exit with 1 unless all that was asked for was met")(
+        "save-uv", po::value<std::string>(),
+        "OBJ file for the map as texture coordinates: an integer-grid map, or a "
+        "seamless one where quads were made along its T-mesh")("strict",
+                                                               "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
       command_line::add_greedy_rounding(options);
       command_line::add_scene_options(options);

@@ -132,8 +132,8 @@ Mesh by_functions(const Mesh& tm, double number_of_quads)
         const QM::T_mesh t = map.t_mesh();
         std::vector<int> lengths;
         assert(QM::quantize_t_mesh(t, lengths).is_valid);
-        assert(QM::quads_of_t_mesh(t, lengths, s.mesh, q.mesh, q.is_feature,
-                                   parameters::face_location_map(q.location)));
+        assert(
+          QM::quads_of_t_mesh(t, lengths, s.mesh, q.mesh, q.is_feature, parameters::face_location_map(q.location)));
       }
       smooth(q, s);
       return q.mesh;
@@ -258,10 +258,7 @@ void check_plan(const std::string& name, const Mesh& tm, const Request& request)
          (without.released_feature_share == with.released_feature_share && deviation(without) > deviation(with)));
 }
 
-void test_plans_for_folded_maps()
-{
-  check_plan("release within 2", mesh_of(sharp_cone(7)), { 100 });
-}
+void test_plans_for_folded_maps() { check_plan("release within 2", mesh_of(sharp_cone(7)), { 100 }); }
 
 void test_plans_for_the_number()
 {

@@ -178,7 +178,8 @@ void check_t_mesh(const Mapped_surface& s, const QM::T_mesh& t)
   }
   for(Mesh::Edge_index e : s.mesh.edges())
     if(s.is_feature[e] || s.mesh.is_border(e))
-      on_mesh += std::sqrt(CGAL::squared_distance(s.mesh.point(s.mesh.vertex(e, 0)), s.mesh.point(s.mesh.vertex(e, 1))));
+      on_mesh +=
+        std::sqrt(CGAL::squared_distance(s.mesh.point(s.mesh.vertex(e, 0)), s.mesh.point(s.mesh.vertex(e, 1))));
   assert(std::abs(on_arcs - on_mesh) <= rounding * (1 + on_mesh));
   std::set<int> vertices;
   for(const QM::T_mesh::Node& n : t.nodes)
@@ -392,7 +393,8 @@ void test_brute_force()
   const std::vector<Named_soup> small = { { "cube", test_meshes::cube(4), 0.4 },
                                           { "sheared cube", test_meshes::sheared_cube(4), 0.45 },
                                           { "tube", test_meshes::cylinder(16, 8, false), 0.9 },
-                                          { "square with a hole", test_meshes::grid_with_hole(12, 12, 3, 7, 4, 9), 0.4 } };
+                                          { "square with a hole", test_meshes::grid_with_hole(12, 12, 3, 7, 4, 9),
+                                            0.4 } };
   for(const Named_soup& n : small)
   {
     Mapped_surface s(n.soup, n.length);

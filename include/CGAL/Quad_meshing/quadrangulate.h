@@ -42,10 +42,11 @@ The result is `VALID` only if the mesh consists of quads, is a manifold by const
 and has the components, Euler numbers and border loops of the input. If not, the result says why, and the best mesh that
 could be made, if there is one, is delivered all the same.
 
-If the first map is folded over, others are tried: for a slightly different length, for another field. If the grid is
-too coarse for the surface, finer ones are. Where sharp edges leave no room for a map without fold-overs, those nearby
-are released: the quads need not follow them there. The message says what part of their length that is. Edges that
-`edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is tried.
+Where no integers come at once that the map can follow, the quads are made along the T-mesh of the map, which never
+fails (`quantize_t_mesh()`). If the map is folded over before there are integers, other fields are tried; where sharp edges
+leave no room for any, those nearby are released: the quads need not follow them there. The message says what part of their
+length that is. Edges that `edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is
+tried.
 
 Each component is quadrangulated by itself. If some have no valid mesh, `qm` holds all others, and the message names
 those by their faces. A vertex in which borders touch is divided: each fan of triangles gets one of its own.

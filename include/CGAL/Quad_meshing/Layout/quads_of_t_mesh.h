@@ -36,8 +36,8 @@ namespace Quad_meshing {
 */
 struct T_mesh_quads
 {
-  std::vector<T_mesh::Location> vertices;               ///< their places on the triangle mesh
-  std::vector<std::array<std::size_t, 4>> quads;        ///< their vertices, counterclockwise
+  std::vector<T_mesh::Location> vertices;                ///< their places on the triangle mesh
+  std::vector<std::array<std::size_t, 4>> quads;         ///< their vertices, counterclockwise
   std::vector<std::array<std::size_t, 2>> aligned_edges; ///< those along features and borders: their vertices
 };
 
@@ -140,9 +140,10 @@ bool quads_of_t_mesh(const T_mesh& t, const std::vector<int>& lengths, const Tri
   }
   bool is_mesh = true;
   for(const auto& q : quads.quads)
-    is_mesh = is_mesh && Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 4>{
-                                           { vertex[q[0]], vertex[q[1]], vertex[q[2]], vertex[q[3]] } },
-                                         qm) != Graph_traits::null_face();
+    is_mesh = is_mesh &&
+              Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 4>{ { vertex[q[0]], vertex[q[1]],
+                                                                                         vertex[q[2]], vertex[q[3]] } },
+                              qm) != Graph_traits::null_face();
   for(const auto& e : quads.aligned_edges)
   {
     const auto found = halfedge(vertex[e[0]], vertex[e[1]], qm);

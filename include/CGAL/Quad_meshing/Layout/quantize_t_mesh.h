@@ -31,14 +31,14 @@ namespace Quad_meshing {
 */
 struct T_mesh_quantization_result
 {
-  bool is_valid = false;            ///< whether there are lengths
-  double energy = 0;                ///< of the lengths; 0 is a lower bound, that of the real lengths
-  double rounded_energy = 0;        ///< of the rounded lengths that it started from
-  std::size_t lengthened_arcs = 0;  ///< that had to become longer than the energy alone would make them
-  std::size_t zero_arcs = 0;        ///< of length 0
-  std::size_t number_of_quads = 0;  ///< that the lengths stand for
-  double seconds = 0;               ///< wall-clock time
-  std::string message = "";         ///< a sentence
+  bool is_valid = false;           ///< whether there are lengths
+  double energy = 0;               ///< of the lengths; 0 is a lower bound, that of the real lengths
+  double rounded_energy = 0;       ///< of the rounded lengths that it started from
+  std::size_t lengthened_arcs = 0; ///< that had to become longer than the energy alone would make them
+  std::size_t zero_arcs = 0;       ///< of length 0
+  std::size_t number_of_quads = 0; ///< that the lengths stand for
+  double seconds = 0;              ///< wall-clock time
+  std::string message = "";        ///< a sentence
 };
 
 /*!

@@ -56,8 +56,9 @@ public:
   /// Where arcs meet.
   struct Node
   {
-    int vertex = -1;          ///< the number of the vertex of the triangle mesh; -1 for a T-vertex inside a triangle
-    bool is_critical = false; ///< an irregular vertex, a corner, an end or a crossing of features, or a node of the user
+    int vertex = -1; ///< the number of the vertex of the triangle mesh; -1 for a T-vertex inside a triangle
+    bool is_critical =
+      false; ///< an irregular vertex, a corner, an end or a crossing of features, or a node of the user
     std::vector<int> directions; ///< that leave it, counterclockwise; at the border from the first to the last
     std::vector<int> headings;   ///< of these: right angles from the first
     int right_angles = 4;        ///< around it, in the map; on the border, between the first and the last direction
@@ -67,13 +68,13 @@ public:
   /// A straight piece between two nodes.
   struct Arc
   {
-    int source = -1, target = -1;        ///< nodes
-    double length = 0;                   ///< in the map, in quad edges; positive
-    double rounded_length = 0;           ///< an integer: the length after the integers of the map were rounded, may be negative
-    bool is_aligned = false;             ///< a part of a feature, or of the border
+    int source = -1, target = -1; ///< nodes
+    double length = 0;            ///< in the map, in quad edges; positive
+    double rounded_length = 0; ///< an integer: the length after the integers of the map were rounded, may be negative
+    bool is_aligned = false;   ///< a part of a feature, or of the border
     std::array<int, 2> patch{ { -1, -1 } }; ///< on its left and on its right; -1: nothing
-    int line = -1;                       ///< the straight line that it is a part of
-    double begin = 0;                    ///< where it begins on the line
+    int line = -1;                          ///< the straight line that it is a part of
+    double begin = 0;                       ///< where it begins on the line
   };
 
   /// A rectangle.

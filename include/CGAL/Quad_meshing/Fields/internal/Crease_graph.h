@@ -55,7 +55,8 @@ public:
       return 0;
     const double shortest_branch = 1.5 * quad_edge_length;
     const double shortest_open = 25 * quad_edge_length, shortest_closed = 5 * quad_edge_length;
-    const double shortest_loop = 1.5 * quad_edge_length; // of a rim: three quads around it are not half as long as asked
+    const double shortest_loop =
+      1.5 * quad_edge_length; // of a rim: three quads around it are not half as long as asked
     // An open crease as straight as a ruler is no noise, nor are curves that turn little from edge to edge.
     const double least_straightness_of_open = 0.97, shortest_ruled = 3 * quad_edge_length;
     const double most_mean_turn = 20 * CGAL_PI / 180;
@@ -185,7 +186,8 @@ private:
   // plane convex ones as little (Fenchel). Rims of holes and pins do, creases of noise run to and fro.
   bool is_round(const std::vector<int>& component) const
   {
-    const double most_turning = 1.15 * 2 * CGAL_PI; // a choice: noise of a tenth of the edges turns a circle so much more
+    const double most_turning =
+      1.15 * 2 * CGAL_PI; // a choice: noise of a tenth of the edges turns a circle so much more
     for(int e : component)
       for(int v : m_ends[e])
         if(is_node(v))

@@ -246,8 +246,8 @@ private:
     for(const auto& entry : clusters)
     {
       const Cluster& c = entry.second;
-      std::map<int, int> class_of;        // of special points: the thing
-      std::map<int, int> class_of_nodes;  // of critical nodes: itself
+      std::map<int, int> class_of;       // of special points: the thing
+      std::map<int, int> class_of_nodes; // of critical nodes: itself
       std::vector<int> classes;
       for(int i : c.members)
         if(is_special[i])

@@ -46,12 +46,11 @@ public:
   };
 
   std::vector<Quad> quads;
-  std::vector<Block> blocks;                      // per patch
+  std::vector<Block> blocks; // per patch
   std::vector<Aligned_edge> aligned_edges;
-  int number_of_points = 0;                       // of the T-mesh, and inside patches
+  int number_of_points = 0; // of the T-mesh, and inside patches
 
-  T_mesh_grid(const T_mesh& t, const std::vector<int>& length)
-    : m_t(t), m_length(length), collapsed(t, length)
+  T_mesh_grid(const T_mesh& t, const std::vector<int>& length) : m_t(t), m_length(length), collapsed(t, length)
   {
     number_of_points = collapsed.number_of_points();
     for(std::size_t p = 0; p < t.patches.size(); ++p)
@@ -81,8 +80,7 @@ public:
   {
     std::map<std::pair<int, int>, int> side_of; // directed edges: 4 * quad + side
     std::vector<int> arcs;
-    const auto lengthen = [&](int side)
-    { arcs.push_back(longest_arc(quads[side / 4].patch, side & 3)); };
+    const auto lengthen = [&](int side) { arcs.push_back(longest_arc(quads[side / 4].patch, side & 3)); };
     for(std::size_t q = 0; q < quads.size(); ++q)
       for(int k = 0; k < 4; ++k)
       {

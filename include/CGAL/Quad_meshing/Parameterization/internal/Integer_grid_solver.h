@@ -161,9 +161,9 @@ public:
     if(!repairs)
     {
       number_of_separations = static_cast<int>(separations.list.size());
-      number_of_broken_separations = static_cast<int>(
-        std::count_if(separations.list.begin(), separations.list.end(),
-                      [this](const Separations::Separation& s) { return !s.holds(x); }));
+      number_of_broken_separations =
+        static_cast<int>(std::count_if(separations.list.begin(), separations.list.end(),
+                                       [this](const Separations::Separation& s) { return !s.holds(x); }));
       if(number_of_broken_separations == 0)
         carry();
       return;

@@ -48,10 +48,10 @@ public:
 
   enum class End
   {
-    ON_A_LINE,      // that another node has sent, or on a chain of aligned edges
+    ON_A_LINE, // that another node has sent, or on a chain of aligned edges
     AT_A_NODE,
-    HEAD_ON,        // met a line that came the opposite way
-    AT_THE_BORDER   // that is not aligned
+    HEAD_ON,      // met a line that came the opposite way
+    AT_THE_BORDER // that is not aligned
   };
 
   struct Meeting
@@ -80,10 +80,10 @@ public:
     bool is_border = false;     // nothing lies on its right
     bool starts_freely = false; // a closed chain without nodes: its start is any of its vertices
     End end = End::AT_THE_BORDER;
-    int last_halfedge = -1;      // of a chain
-    int other = -1;              // the line on which it ends, or that it met
-    Length on_other;             // where
-    Length length;               // head-on: the distance of the two starts
+    int last_halfedge = -1;        // of a chain
+    int other = -1;                // the line on which it ends, or that it met
+    Length on_other;               // where
+    Length length;                 // head-on: the distance of the two starts
     std::vector<Meeting> meetings; // where others end on it, in no order
     std::vector<Piece> pieces;     // in order
   };
@@ -300,8 +300,8 @@ private:
       const int v = lines[i].start;
       std::vector<std::pair<int, int>> headings;
       m_charts.for_each_heading(v, [&](int h, int d) { headings.emplace_back(h, d); });
-      const auto here = std::find(headings.begin(), headings.end(),
-                                  std::make_pair(lines[i].start_halfedge, lines[i].start_heading));
+      const auto here =
+        std::find(headings.begin(), headings.end(), std::make_pair(lines[i].start_halfedge, lines[i].start_heading));
       if(here == headings.end())
         return false;
       const std::size_t k = here - headings.begin(), n = headings.size();
@@ -413,8 +413,8 @@ private:
       return pass_vertex(r, vertex_ahead, is_done);
     if(is_aligned(exit))
       return false; // it would have met the chain
-    r.reached = (std::max)(r.reached, (std::max)(ahead(r.origin, exit, r.heading),
-                                                 ahead(r.origin, Mesh::next(exit), r.heading)));
+    r.reached =
+      (std::max)(r.reached, (std::max)(ahead(r.origin, exit, r.heading), ahead(r.origin, Mesh::next(exit), r.heading)));
     if(m_mesh.opposite[exit] == -1)
       return false; // a border that is not aligned
     carry_across(exit, r.heading, r.origin);
@@ -495,8 +495,7 @@ private:
            distance_along(r.origin.real, s.origin.real, (r.heading + 1) & 3) != 0)
           continue;
         // It reaches as far as the other one has come; that it has come out of the face is enough to know.
-        const double at =
-          s.end == any ? -any : distance_along(r.origin.real, s.origin.real, r.heading) - s.end;
+        const double at = s.end == any ? -any : distance_along(r.origin.real, s.origin.real, r.heading) - s.end;
         if(at < least && at <= last)
         {
           met = &s;

@@ -45,9 +45,9 @@ struct Seamless_charts
   typedef Indexed_triangle_mesh Mesh;
 
   Mesh mesh;
-  std::vector<Chart_point> corner;     // per halfedge: its source in the chart of its face
-  std::vector<signed char> turn;       // per halfedge: quarters from the chart of its face to the one beyond it
-  std::vector<bool> is_aligned;        // per edge: it lies on a line of one coordinate
+  std::vector<Chart_point> corner; // per halfedge: its source in the chart of its face
+  std::vector<signed char> turn;   // per halfedge: quarters from the chart of its face to the one beyond it
+  std::vector<bool> is_aligned;    // per edge: it lies on a line of one coordinate
 
   // A point of the chart of the face of h, in the chart beyond h.
   Chart_point across(int h, const Chart_point& p) const

@@ -79,7 +79,7 @@ private:
   T_mesh& m_result;
   std::vector<Track> m_tracks;
   std::vector<int> m_track_of_line;
-  std::vector<int> m_covered_by;              // per line: the other one that covers it from end to end, or -1
+  std::vector<int> m_covered_by;                // per line: the other one that covers it from end to end, or -1
   std::vector<std::vector<Arrival>> m_arrivals; // per track
   std::map<int, int> m_node_of_vertex;
 
@@ -168,8 +168,12 @@ private:
     const std::vector<Motorcycle_graph::Piece>& pieces = m_graph.lines[track.second].pieces;
     for(auto p = pieces.rbegin(); p != pieces.rend(); ++p)
     {
-      T_mesh::Piece piece{ p->face, p->edge, p->heading, moved(p->origin, p->heading, result.length),
-                           result.length - p->end, result.length - p->begin };
+      T_mesh::Piece piece{ p->face,
+                           p->edge,
+                           p->heading,
+                           moved(p->origin, p->heading, result.length),
+                           result.length - p->end,
+                           result.length - p->begin };
       if(p->edge != -1)
       {
         piece.origin = m_charts.across(p->edge, piece.origin);
@@ -236,8 +240,7 @@ private:
       if(stops.empty())
         return false;
       const Length& first = stops.front().at;
-      stops.push_back(
-        { { first.real + track.length.real, first.integer + track.length.integer }, stops.front().node });
+      stops.push_back({ { first.real + track.length.real, first.integer + track.length.integer }, stops.front().node });
     }
     else
     {
@@ -341,7 +344,7 @@ private:
 
   bool gather_around_vertices()
   {
-    typedef std::pair<int, int> Slot;                      // corner, heading in it
+    typedef std::pair<int, int> Slot;                         // corner, heading in it
     std::map<int, std::vector<std::pair<Slot, int>>> leaving; // per vertex: slots and directions
     const Slot last_of_border(-1, -1);
     for(const Track& track : m_tracks)

@@ -94,8 +94,8 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::solve(Any_visi
   return Integer_grid_map_status::VALID;
 }
 
-CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double relative_length, Rounding_method method, bool repairs,
-                                                                        Any_visitor& visitor,
+CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double relative_length, Rounding_method method,
+                                                                        bool repairs, Any_visitor& visitor,
                                                                         std::vector<std::array<double, 2>>& uv,
                                                                         Integer_grid_map_result& result)
 {

@@ -300,8 +300,7 @@ private:
   bool round(Grid_map_attempt& attempt, bool repairs)
   {
     const auto uv = map_of(boost::halfedge_index, attempt.uv);
-    const auto np =
-      parameters::rounding_method(m_options.quadrangulation.rounding_method).visitor(std::ref(m_visitor));
+    const auto np = parameters::rounding_method(m_options.quadrangulation.rounding_method).visitor(std::ref(m_visitor));
     Seamless_map& map = *attempt.field->map;
     const Integer_grid_map_result r = repairs ? map.round(m_surface.mesh, attempt.length(), uv, np)
                                               : map.round_without_repair(m_surface.mesh, attempt.length(), uv, np);
