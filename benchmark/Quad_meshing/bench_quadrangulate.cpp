@@ -9,7 +9,8 @@
 // The whole line on real meshes, with one sparse Cholesky factorization of the parametrization's system as the
 // yardstick, and the shapes of Tables 5.2 and 8.1 of the thesis (Table 5.1 is printed by bench_fields).
 //
-// bench_quadrangulate [MESH ...]     default: meshes of CGAL's data folder
+// bench_quadrangulate [MESH ...]              default: meshes of CGAL's data folder
+// bench_quadrangulate --densities [MESH ...]  at three numbers of quads: what is valid, what was given up, how long
 
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
@@ -18,8 +19,10 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -122,15 +125,46 @@ void bench(const std::string& filename)
   std::fflush(stdout);
 }
 
+// One row for each number of quads: processor time against that of reading the mesh.
+void bench_densities(const std::string& filename)
+{
+  const std::string name = filename.substr(filename.find_last_of('/') + 1);
+  Mesh tm;
+  CGAL::Timer timer;
+  timer.start();
+  if(!QM::read_triangle_mesh(filename, tm))
+  {
+    std::printf("%-18s cannot be read\n", name.c_str());
+    return;
+  }
+  const double reading = timer.time();
+  for(double quads : { 1000., 4000., 16000. })
+  {
+    Quadrangulation q(tm, tm.points());
+    q.options.target_number_of_quads = quads;
+    timer.reset();
+    const QM::Quadrangulation_result r = q.run();
+    std::printf("%-18s %6.0f asked %6zu made, %-9s kept %.3f of the sharp length, %4zu sharp edges left out, %3zu "
+                "inverted, %d maps, %6.2f s, %6.1f times reading\n",
+                name.c_str(), quads, r.quads, QM::status_name(r.status), 1 - r.released_feature_share,
+                r.dropped_feature_edges, r.folded_quads, r.parameterization_attempts, timer.time(),
+                timer.time() / (std::max)(reading, 1e-3));
+    std::fflush(stdout);
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
   std::vector<std::string> files(argv + 1, argv + argc);
+  const bool only_densities = !files.empty() && files.front() == "--densities";
+  if(only_densities)
+    files.erase(files.begin());
   if(files.empty())
     for(const char* name : { "fandisk.off", "armadillo.off", "elephant.off", "joint.off", "rotor.off" })
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name));
   for(const std::string& file : files)
-    bench(file);
+    only_densities ? bench_densities(file) : bench(file);
   return EXIT_SUCCESS;
 }

@@ -202,8 +202,7 @@ void test_partition()
   }
 }
 
-// A point of a patch lies where its distances from the sides say: along side 0, and over a T-mesh in the plane, where the
-// map is the identity.
+// A point of a patch lies where its distances from the sides say, in a plane square, of which the map is the identity.
 void test_places()
 {
   Mapped_surface s(test_meshes::grid_with_hole(12, 12, 4, 8, 4, 8), 1. / 12);
