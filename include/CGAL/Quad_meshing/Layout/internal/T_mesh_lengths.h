@@ -28,13 +28,13 @@ namespace internal {
 
 // Integer lengths of the arcs of a T-mesh, such that opposite sides of every patch are equally long.
 //
-// They change along dual walks: if one arc becomes longer by one, then in the patches at its sides either an arc of the
-// opposite side becomes longer too, or another one of the same side shorter, and so on until the walk is closed or
-// leaves the surface over the border. This is a flow on a bidirected graph, whose nodes are the two pairs of sides of
-// each patch and whose edges are the arcs (Heistermann, Warnett and Bommes, "Min-deviation-flow in bi-directed graphs
-// for T-mesh quantization", 2023). The walks found are cheapest ones for the energy below; where a walk comes back to an
-// arc it may be none, so this is a local search. Longer arcs are always possible: the real lengths are a sum of walks on
-// which nothing becomes shorter.
+// They change along dual walks: if one arc becomes longer by one, then in the patches at its sides either an arc of
+// the opposite side becomes longer too, or another one of the same side shorter, and so on until the walk is closed
+// or leaves the surface over the border. This is a flow on a bidirected graph, whose nodes are the two pairs of
+// sides of each patch and whose edges are the arcs (Heistermann, Warnett and Bommes, "Min-deviation-flow in bi-
+// directed graphs for T-mesh quantization", 2023). The walks found are cheapest ones for the energy below; where a
+// walk comes back to an arc it may be none, so this is a local search. Longer arcs are always possible: the real
+// lengths are a sum of walks on which nothing becomes shorter.
 class T_mesh_lengths
 {
 public:
