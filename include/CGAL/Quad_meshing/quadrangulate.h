@@ -43,10 +43,10 @@ and has the components, Euler numbers and border loops of the input. If not, the
 could be made, if there is one, is delivered all the same.
 
 Where no integers come at once that the map can follow, the quads are made along the T-mesh of the map, which never
-fails (`quantize_t_mesh()`). If the map is folded over before there are integers, other fields are tried; where sharp edges
-leave no room for any, those nearby are released: the quads need not follow them there. The message says what part of their
-length that is. Edges that `edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists all that is
-tried.
+fails (`quantize_t_mesh()`). If the map is folded over before there are integers, other fields are tried; where sharp
+edges leave no room for any, those nearby are released: the quads need not follow them there. The message says what part
+of their length that is. Edges that `edge_is_constrained_map` marks are never released. `default_grid_map_plans()` lists
+all that is tried.
 
 Each component is quadrangulated by itself. If some have no valid mesh, `qm` holds all others, and the message names
 those by their faces. A vertex in which borders touch is divided: each fan of triangles gets one of its own.

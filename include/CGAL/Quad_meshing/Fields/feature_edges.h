@@ -35,10 +35,10 @@ perimeter) is joined to the neighbor that it bends least to: of the two creases 
 sharp sides of a triangle lead a crease to and fro, its third side replaces them if the crease turns less along it,
 though it need not be sharp itself. Then the following pieces of the graph of sharp edges are dropped, repeatedly:
 - branches that end freely and are shorter than `1.5 l`;
-- components with a free end that are shorter than `25 l`, or than `3 l` if they are nearly straight (the ratio of chord to
-  arc below is at least 0.97), and components without a free end that are shorter than `5 l`;
-- components that zigzag: the mean ratio of chord to arc over pieces of arc length `2 l` is below 0.85, and the chains turn
-  by more than 20 degrees from edge to edge on average;
+- components with a free end that are shorter than `25 l`, or than `3 l` if they are nearly straight (the ratio of
+  chord to arc below is at least 0.97), and components without a free end that are shorter than `5 l`;
+- components that zigzag: the mean ratio of chord to arc over pieces of arc length `2 l` is below 0.85, and the
+  chains turn by more than 20 degrees from edge to edge on average;
 - components whose chains between two nodes (vertices with other than two sharp edges) have a mean length below `1.5 l`:
   quads of that size cannot follow them.
 

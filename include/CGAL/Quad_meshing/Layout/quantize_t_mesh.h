@@ -51,10 +51,10 @@ there need not be more quads than were asked for. But critical nodes stay apart 
 they do not lie on, features stay apart from each other, no loop that cannot be drawn together to a point has length 0,
 and the quads form a mesh.
 
-The lengths start from the rounded ones. Arcs that are shorter than they may be are lengthened along cheapest dual walks,
-and walks are taken as long as they lessen the Dirichlet energy of the differences between integer and real lengths.
-Then all that becomes one point, or one edge, is looked at; where it must not, an arc is lengthened, and so on. As the
-lower bounds only grow, and lengths with all arcs positive have no conflicts, this ends.
+The lengths start from the rounded ones. Arcs that are shorter than they may be are lengthened along cheapest dual
+walks, and walks are taken as long as they lessen the Dirichlet energy of the differences between integer and real
+lengths. Then all that becomes one point, or one edge, is looked at; where it must not, an arc is lengthened, and so on.
+As the lower bounds only grow, and lengths with all arcs positive have no conflicts, this ends.
 
 \param t the T-mesh
 \param lengths receives the lengths, one per arc

@@ -54,7 +54,8 @@ struct Quadrangulation_surface
   Mesh::Property_map<Mesh::Vertex_index, int> index;        ///< the singularities of the cross field, in quarters
   /// The integer-grid map; in components with a T-mesh, the seamless map that it would have been made of.
   Mesh::Property_map<Mesh::Halfedge_index, Quadrangulation_kernel::Point_2> uv;
-  /// The T-meshes along which quads were made, of the components whose quads were not extracted from an integer-grid map.
+  /// The T-meshes along which quads were made, of the components whose quads were not extracted from an integer-grid
+  /// map.
   std::vector<std::shared_ptr<const T_mesh>> t_meshes;
 
   /// makes an empty surface.

@@ -182,8 +182,8 @@ private:
     return edges;
   }
 
-  // Whether a component is one closed curve that turns little more than once around: no closed curve turns less, and only
-  // plane convex ones as little (Fenchel). Rims of holes and pins do, creases of noise run to and fro.
+  // Whether a component is one closed curve that turns little more than once around: no closed curve turns less, and
+  // only plane convex ones as little (Fenchel). Rims of holes and pins do, creases of noise run to and fro.
   bool is_round(const std::vector<int>& component) const
   {
     const double most_turning =

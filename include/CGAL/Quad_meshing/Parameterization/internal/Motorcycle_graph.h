@@ -28,12 +28,12 @@ namespace internal {
 
 // The motorcycle graph of a seamless map: from every node a line starts in each heading and runs straight on until it
 // meets an earlier line, an aligned edge, or a node. Together with the chains of aligned edges these lines cut the
-// surface into rectangles with T-vertices (Eppstein, Goodrich, Kim and Tamstorf, "Motorcycle graphs: canonical quad mesh
-// partitioning", 2008; on seamless maps: Campen, Bommes and Kobbelt, "Quantized global parametrization", 2015).
+// surface into rectangles with T-vertices (Eppstein, Goodrich, Kim and Tamstorf, "Motorcycle graphs: canonical quad
+// mesh partitioning", 2008; on seamless maps: Campen, Bommes and Kobbelt, "Quantized global parametrization", 2015).
 //
-// The map must be exact, without fold-overs: then every place where two lines meet has coordinates that are doubles, and
-// every decision is a comparison of doubles or an orientation test. All lengths are measured in a second map besides,
-// with the same transitions up to translations: that is what they become when integers are chosen.
+// The map must be exact, without fold-overs: then every place where two lines meet has coordinates that are doubles,
+// and every decision is a comparison of doubles or an orientation test. All lengths are measured in a second map
+// besides, with the same transitions up to translations: that is what they become when integers are chosen.
 class Motorcycle_graph
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;

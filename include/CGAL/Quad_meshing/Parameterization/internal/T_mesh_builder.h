@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Puts the lines of a motorcycle graph together to a T-mesh, and checks that it is one: all patches are rectangles, whose
-// opposite sides are equally long, and they cover the surface.
+// Puts the lines of a motorcycle graph together to a T-mesh, and checks that it is one: all patches are rectangles,
+// whose opposite sides are equally long, and they cover the surface.
 class T_mesh_builder
 {
   typedef Motorcycle_graph::Line Line;
