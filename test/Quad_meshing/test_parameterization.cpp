@@ -253,6 +253,36 @@ std::size_t kept_edges(const test_meshes::Soup& soup, double length)
   return marked;
 }
 
+// Rims of holes and pins are features down to three quads around.
+void test_small_rims()
+{
+  const test_meshes::Soup pin = test_meshes::cylinder(48, 12, true, 0.1, 1); // 0.63 around
+  assert(kept_edges(pin, 0.3) == 96);
+  assert(kept_edges(pin, 0.5) == 0);
+}
+
+// A crease in the middle of a sheet that fades out at both ends, about 2.4 long; its vertices lie alternately beside it.
+test_meshes::Soup fading_crease(double zigzag)
+{
+  const test_meshes::Soup sheet = test_meshes::grid(40, 20, 4, 2);
+  return test_meshes::mapped(sheet,
+                             [zigzag](const Kernel::Point_3& p)
+                             {
+                               const double side = p.y() - 1, bend = std::sin(CGAL_PI * p.x() / 4);
+                               const bool on_crease = std::abs(side) < 0.05;
+                               const double off = on_crease ? zigzag * (std::lround(10 * p.x()) % 2 == 0 ? 1 : -1) : 0;
+                               return Kernel::Point_3(p.x(), p.y() + off, -std::abs(side) * bend * bend);
+                             });
+}
+
+// An open crease as straight as a ruler is a feature where it is three quads long; one that runs to and fro is none.
+void test_open_creases()
+{
+  assert(kept_edges(fading_crease(0), 0.5) >= 20);
+  assert(kept_edges(fading_crease(0), 1) == 0);
+  assert(kept_edges(fading_crease(0.04), 0.5) == 0);
+}
+
 // A crease nearly along the x-axis, between a sheet in the plane z = 0 and one in the plane y = 0. The first sheet
 // passes by a vertex of the crease at a point that lies beyond it; of the two slivers between, one is folded over, and
 // the sharp edges run to and fro.
@@ -1005,6 +1035,8 @@ int main(int argc, char** argv)
                      { "preparation", test_preparation },
                      { "feature_filter", test_feature_filter },
                      { "creases_to_and_fro", test_creases_to_and_fro },
+                     { "small_rims", test_small_rims },
+                     { "open_creases", test_open_creases },
                      { "narrow_patches", test_narrow_patches },
                      { "networks_of_short_chains", test_networks_of_short_chains },
                      { "maps", test_maps },
