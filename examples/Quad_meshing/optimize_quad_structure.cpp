@@ -14,7 +14,6 @@
 
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
-#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
@@ -22,7 +21,6 @@
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,19 +33,6 @@ namespace QM = CGAL::Quad_meshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
-
-Mesh read_quad_mesh(const std::string& filename)
-{
-  std::vector<Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  command_line::read_soup(filename, points, polygons);
-  const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
-  if(!defects.is_pure_quad_mesh())
-    throw command_line::Unusable_input(filename + ": is not a pure quad mesh: " + defects.reasons().front());
-  Mesh qm;
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
-  return qm;
-}
 
 // Marks the edges of a quad mesh that follow marked edges of its reference. An edge is a chord of what it follows, so
 // its inner points may lie farther away than its ends.
@@ -154,7 +139,7 @@ int main(int argc, char* argv[])
       const QM::Structure_method method = args.choice("method", { "layout", "helices" }) == 0
                                             ? QM::Structure_method::LAYOUT
                                             : QM::Structure_method::HELICES;
-      Mesh qm = read_quad_mesh(args.positional(0));
+      Mesh qm = command_line::read_quad_mesh<Mesh>(args.positional(0));
       command_line::check_mesh_output(args.positional(1));
       command_line::check_scene_files(args);
       const int digits = command_line::check_quad_mesh_options(args);
