@@ -18,7 +18,6 @@
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
-#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -43,7 +42,7 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
   // Distances as parts of the length of the edge, of its ends and of the points in between.
   constexpr double end_distance = 0.15, inner_distance = 0.3;
   typedef std::vector<Kernel::Segment_3> Segments;
-  typedef CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator> Primitive;
+  typedef QM::internal::Aabb_segment_primitive<Kernel, Segments::const_iterator> Primitive;
   Segments segments;
   for(Mesh::Edge_index e : tm.edges())
     if(is_sharp_in_reference[e])
