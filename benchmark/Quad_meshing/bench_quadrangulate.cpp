@@ -65,7 +65,8 @@ QM::Mixed_integer_problem parametrization_problem(const QM::Quadrangulation_surf
     quarters.push_back((q.mesh.is_border(v) ? 2 : 4) - q.index[v]);
   QM::internal::Any_visitor visitor;
   QM::internal::Stage_progress progress(visitor);
-  const QM::internal::Integer_grid_solver solver(mesh, angle, jump, quarters, aligned, sizing, 1, progress);
+  const std::vector<bool> is_node(mesh.number_of_vertices(), false);
+  const QM::internal::Integer_grid_solver solver(mesh, angle, jump, quarters, aligned, sizing, is_node, 1, progress);
   const QM::internal::Orientation_energy energy(solver.coordinates, solver.faces,
                                                 std::vector<double>(mesh.number_of_faces(), 1.), 1.);
   QM::Mixed_integer_problem problem(solver.coordinates.number_of_variables());

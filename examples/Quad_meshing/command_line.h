@@ -392,6 +392,17 @@ inline std::ofstream open_output(const std::string& filename)
   return out;
 }
 
+// Writes a file: `write` is given the stream.
+template <typename Write>
+void write_file(const std::string& filename, const Write& write)
+{
+  std::ofstream out = open_output(filename);
+  write(out);
+  out.close();
+  if(!out)
+    throw Unusable_input(filename + ": writing failed");
+}
+
 // Throws unless a file of that name can be written: to be asked before a long computation.
 inline void check_output(const std::string& filename)
 {
@@ -431,24 +442,22 @@ void write_mesh(const std::string& filename, const Mesh& mesh, int digits = all_
 {
   const std::string extension = CGAL::Quad_meshing::internal::file_extension(filename);
   check_mesh_output(filename);
-  std::ofstream out = open_output(filename);
-  out.precision(digits);
-  const auto np = CGAL::parameters::stream_precision(digits);
-  const bool written = extension == "off"   ? CGAL::IO::write_OFF(out, mesh, np)
-                       : extension == "obj" ? CGAL::IO::write_OBJ(out, mesh, np)
-                                            : CGAL::IO::write_PLY(out, mesh, np);
-  out.close();
-  if(!written || !out)
-    throw Unusable_input(filename + ": writing failed");
+  write_file(filename,
+             [&](std::ostream& out)
+             {
+               out.precision(digits);
+               const auto np = CGAL::parameters::stream_precision(digits);
+               const bool written = extension == "off"   ? CGAL::IO::write_OFF(out, mesh, np)
+                                    : extension == "obj" ? CGAL::IO::write_OBJ(out, mesh, np)
+                                                         : CGAL::IO::write_PLY(out, mesh, np);
+               if(!written)
+                 out.setstate(std::ios::failbit);
+             });
 }
 
 inline void write_json(const std::string& filename, const CGAL::Quad_meshing::Flat_json& json)
 {
-  std::ofstream out = open_output(filename);
-  json.write(out);
-  out.close();
-  if(!out)
-    throw Unusable_input(filename + ": writing failed");
+  write_file(filename, [&](std::ostream& out) { json.write(out); });
 }
 
 // A visitor that draws the running stage and how far it has come, on a terminal only.

@@ -9,33 +9,36 @@
 // Computes the geodesic distance on a triangle mesh from vertices, points, polylines, sharp edges and the border.
 
 #include "command_line.h"
+#include "polyline_files.h"
 #include "scene_files.h"
 
 #include <CGAL/Quad_meshing/Geodesics/Geodesic_distance_field.h>
 #include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
+#include <CGAL/Quad_meshing/Guides/Polyline_tracer.h>
 #include <CGAL/Quad_meshing/IO/scene_layers.h>
-#include <CGAL/Quad_meshing/internal/compatibility.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <array>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef CGAL::Quad_meshing::Geodesic_distance_field<Mesh> Field;
 typedef Field::Face_location Location;
+typedef CGAL::Quad_meshing::Polyline_tracer<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>> Tracer;
 
 namespace QM = CGAL::Quad_meshing;
 namespace params = CGAL::parameters;
@@ -43,109 +46,15 @@ using command_line::Unusable_input;
 
 namespace {
 
-// Points in a file: x y z in each line; an empty line ends a polyline; '#' begins a comment.
-std::vector<std::vector<Point_3>> read_polylines(const std::string& filename)
+// The points of a polyline, the first one twice if it is closed.
+std::vector<Point_3> points_of(const QM::File_polyline& polyline)
 {
-  std::ifstream in(filename);
-  if(!in)
-    throw Unusable_input(filename + ": cannot be opened");
-  std::vector<std::vector<Point_3>> polylines(1);
-  std::string line;
-  for(std::size_t n = 1; std::getline(in, line); ++n)
-  {
-    std::istringstream words(line.substr(0, line.find('#')));
-    double x, y, z;
-    std::string more;
-    if(!(words >> x))
-    {
-      words.clear();
-      if(words >> more)
-        throw Unusable_input(filename + ": line " + std::to_string(n) + " is not a point");
-      if(!polylines.back().empty() && line.find('#') == std::string::npos)
-        polylines.emplace_back();
-      continue;
-    }
-    if(!(words >> y >> z) || (words >> more) || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-      throw Unusable_input(filename + ": line " + std::to_string(n) + " is not a point of three numbers");
-    polylines.back().emplace_back(x, y, z);
-  }
-  if(polylines.back().empty())
-    polylines.pop_back();
-  if(polylines.empty())
-    throw Unusable_input(filename + ": there is no point");
-  return polylines;
-}
-
-// Finds the nearest points of the mesh.
-class Locator
-{
-  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  typedef CGAL::AABB_tree<CGAL::Quad_meshing::internal::Aabb_traits<Kernel, Primitive>> Tree;
-
-  const Mesh& m_tm;
-  Tree m_tree;
-
-public:
-  explicit Locator(const Mesh& tm) : m_tm(tm), m_tree(faces(tm).begin(), faces(tm).end(), tm) {}
-
-  Location operator()(const Point_3& query)
-  {
-    const auto found = m_tree.closest_point_and_primitive(query);
-    const auto h = m_tm.halfedge(found.second);
-    const std::array<Point_3, 3> t = { { m_tm.point(m_tm.source(h)), m_tm.point(m_tm.target(h)),
-                                         m_tm.point(m_tm.target(m_tm.next(h))) } };
-    const Kernel::Vector_3 n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-    std::array<double, 3> w = { { 0, 0, 0 } };
-    double sum = 0;
-    for(int k = 0; k < 3; ++k)
-    {
-      w[k] = (std::max)(0., CGAL::cross_product(t[(k + 1) % 3] - found.first, t[(k + 2) % 3] - found.first) * n);
-      sum += w[k];
-    }
-    if(!(sum > 0))
-    {
-      // a triangle without area: the nearest corner
-      const auto nearer = [&](const Point_3& a, const Point_3& b)
-      { return CGAL::squared_distance(a, query) < CGAL::squared_distance(b, query); };
-      w[std::min_element(t.begin(), t.end(), nearer) - t.begin()] = sum = 1;
-    }
-    for(double& x : w)
-      x /= sum;
-    return Location(found.second, w);
-  }
-};
-
-Point_3 point(const Mesh& tm, const Location& l)
-{
-  Kernel::Vector_3 p(0, 0, 0);
-  auto h = tm.halfedge(l.first);
-  for(int k = 0; k < 3; ++k, h = tm.next(h))
-    p = p + l.second[k] * (tm.point(tm.source(h)) - CGAL::ORIGIN);
-  return CGAL::ORIGIN + p;
-}
-
-// Appends the shortest curve on the surface from `from` to `to`.
-void join(const Mesh& tm, Field& field, const Location& from, const Location& to, std::vector<Location>& curve)
-{
-  if(from.first == to.first)
-  {
-    curve.push_back(from);
-    curve.push_back(to);
-    return;
-  }
-  field.clear();
-  field.add_source(to);
-  // first how far it is, then the windows up to there
-  std::vector<Mesh::Vertex_index> corners;
-  for(auto v : tm.vertices_around_face(tm.halfedge(from.first)))
-    corners.push_back(v);
-  field.propagate(params::target_vertices(std::cref(corners)));
-  double limit = 0;
-  for(auto v : corners)
-    limit = (std::max)(limit, field.distance(v) + std::sqrt(CGAL::squared_distance(point(tm, from), tm.point(v))));
-  field.propagate(params::distance_limit(limit));
-  if(field.shortest_path(from, std::back_inserter(curve)) == Field::no_source())
-    throw Unusable_input("two consecutive points of a polyline lie on different parts of the surface");
+  std::vector<Point_3> points;
+  for(const auto& p : polyline.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  if(polyline.is_closed)
+    points.push_back(points.front());
+  return points;
 }
 
 // The vertices of the mesh that stand for each vertex of the file: none if no face has it, several if it was split.
@@ -192,16 +101,13 @@ void add_vertices(const std::string& list, const File_vertices& file_vertices, F
   }
 }
 
-void add_polylines(const std::string& filename, const Mesh& tm, Locator& locate, Field& field)
+void add_polylines(const std::string& filename, Tracer& tracer, Field& field)
 {
-  Field legs(tm);
-  for(const std::vector<Point_3>& polyline : read_polylines(filename))
+  for(const QM::File_polyline& polyline : command_line::read_lines(filename))
   {
     std::vector<Location> curve;
-    for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
-      join(tm, legs, locate(polyline[i]), locate(polyline[i + 1]), curve);
-    if(polyline.size() == 1)
-      curve.push_back(locate(polyline[0]));
+    if(!tracer.trace(points_of(polyline), false, curve))
+      throw Unusable_input("two consecutive points of a polyline lie on different parts of the surface");
     if(field.add_polyline_source(curve) == Field::no_source())
       throw Unusable_input(filename + ": a polyline cannot be traced on the surface");
   }
@@ -224,59 +130,60 @@ template <typename DistanceMap>
 void write_distances_of_file(const std::string& filename, const File_vertices& file_vertices,
                              const DistanceMap& distance)
 {
-  std::ofstream os = command_line::open_output(filename);
-  for(std::size_t v = 0; v < file_vertices.size(); ++v)
-  {
-    double d = std::numeric_limits<double>::infinity();
-    for(Mesh::Vertex_index vertex : file_vertices[v])
-      d = (std::min)(d, distance[vertex]);
-    os << d << "\n";
-  }
-  os.close();
-  if(!os)
-    throw Unusable_input(filename + ": writing failed");
+  command_line::write_file(filename,
+                           [&](std::ostream& os)
+                           {
+                             for(std::size_t v = 0; v < file_vertices.size(); ++v)
+                             {
+                               double d = std::numeric_limits<double>::infinity();
+                               for(Mesh::Vertex_index vertex : file_vertices[v])
+                                 d = (std::min)(d, distance[vertex]);
+                               os << d << "\n";
+                             }
+                           });
 }
 
 // Writes the lower and the upper bound of each distance in the same way.
 template <typename EnclosureMap>
 void write_enclosures(const std::string& filename, const File_vertices& file_vertices, const EnclosureMap& enclosures)
 {
-  std::ofstream os = command_line::open_output(filename);
-  for(std::size_t v = 0; v < file_vertices.size(); ++v)
-  {
-    double low = std::numeric_limits<double>::infinity(), high = low;
-    for(Mesh::Vertex_index vertex : file_vertices[v])
-    {
-      low = (std::min)(low, enclosures[vertex].inf());
-      high = (std::min)(high, enclosures[vertex].sup());
-    }
-    os << low << " " << high << "\n";
-  }
-  os.close();
-  if(!os)
-    throw Unusable_input(filename + ": writing failed");
+  command_line::write_file(filename,
+                           [&](std::ostream& os)
+                           {
+                             for(std::size_t v = 0; v < file_vertices.size(); ++v)
+                             {
+                               double low = std::numeric_limits<double>::infinity(), high = low;
+                               for(Mesh::Vertex_index vertex : file_vertices[v])
+                               {
+                                 low = (std::min)(low, enclosures[vertex].inf());
+                                 high = (std::min)(high, enclosures[vertex].sup());
+                               }
+                               os << low << " " << high << "\n";
+                             }
+                           });
 }
 
 // Writes a mesh with the vertex property 'distance'.
 void write_distances(const std::string& filename, const Mesh& tm,
                      const std::function<double(Mesh::Vertex_index)>& distance)
 {
-  std::ofstream os = command_line::open_output(filename);
-  os << "ply\nformat ascii 1.0\ncomment geodesic distances\nelement vertex " << tm.number_of_vertices()
-     << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
-     << tm.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for(Mesh::Vertex_index v : tm.vertices())
-    os << tm.point(v) << " " << distance(v) << "\n";
-  for(Mesh::Face_index f : tm.faces())
-  {
-    os << 3;
-    for(Mesh::Vertex_index v : tm.vertices_around_face(tm.halfedge(f)))
-      os << " " << static_cast<std::size_t>(v);
-    os << "\n";
-  }
-  os.close();
-  if(!os)
-    throw Unusable_input(filename + ": writing failed");
+  command_line::write_file(
+    filename,
+    [&](std::ostream& os)
+    {
+      os << "ply\nformat ascii 1.0\ncomment geodesic distances\nelement vertex " << tm.number_of_vertices()
+         << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
+         << tm.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+      for(Mesh::Vertex_index v : tm.vertices())
+        os << tm.point(v) << " " << distance(v) << "\n";
+      for(Mesh::Face_index f : tm.faces())
+      {
+        os << 3;
+        for(Mesh::Vertex_index v : tm.vertices_around_face(tm.halfedge(f)))
+          os << " " << static_cast<std::size_t>(v);
+        os << "\n";
+      }
+    });
 }
 
 // The isolines of all multiples of `spacing`, and their values.
@@ -300,21 +207,6 @@ Isolines trace_isolines(const Mesh& tm, const DistanceMap& distances, double spa
     isolines.values.resize(isolines.polylines.size(), k * spacing);
   }
   return isolines;
-}
-
-// Writes isolines, each as points in lines and an empty line.
-void write_polylines(const std::string& filename, const std::vector<std::vector<Point_3>>& polylines)
-{
-  std::ofstream os = command_line::open_output(filename);
-  for(const auto& polyline : polylines)
-  {
-    for(const Point_3& p : polyline)
-      os << p << "\n";
-    os << "\n";
-  }
-  os.close();
-  if(!os)
-    throw Unusable_input(filename + ": writing failed");
 }
 
 // What the page shows: the faces by the mean distance of their corners, and isolines, which follow the spacing that was
@@ -418,21 +310,21 @@ int distances(int argc, char* argv[])
   const File_vertices file_vertices(reading.vertices);
   const double reading_seconds = timer.time();
   Field field(tm);
-  std::unique_ptr<Locator> locator;
-  const auto locate = [&]() -> Locator&
+  std::unique_ptr<Tracer> made_tracer; // when it is needed for the first time
+  const auto tracer = [&]() -> Tracer&
   {
-    if(!locator)
-      locator.reset(new Locator(tm));
-    return *locator;
+    if(!made_tracer)
+      made_tracer = std::make_unique<Tracer>(tm, tm.points());
+    return *made_tracer;
   };
   if(args.has("vertices"))
     add_vertices(args.value<std::string>("vertices"), file_vertices, field);
   if(args.has("points"))
-    for(const auto& part : read_polylines(args.value<std::string>("points")))
-      for(const Point_3& p : part)
-        field.add_source(locate()(p));
+    for(const QM::File_polyline& part : command_line::read_lines(args.value<std::string>("points")))
+      for(const Point_3& p : points_of(part))
+        field.add_source(tracer().locate(p));
   if(args.has("polyline"))
-    add_polylines(args.value<std::string>("polyline"), tm, locate(), field);
+    add_polylines(args.value<std::string>("polyline"), tracer(), field);
   if(args.has("boundary") && field.add_border_source() == Field::no_source())
     throw Unusable_input(args.positional(0) + ": the mesh has no boundary");
   if(args.has("sharp-edges"))
@@ -483,16 +375,16 @@ int distances(int argc, char* argv[])
   std::vector<std::vector<Point_3>> paths;
   if(args.has("paths-from"))
   {
-    for(const auto& part : read_polylines(args.value<std::string>("paths-from")))
-      for(const Point_3& p : part)
+    for(const QM::File_polyline& part : command_line::read_lines(args.value<std::string>("paths-from")))
+      for(const Point_3& p : points_of(part))
       {
         std::vector<Location> path;
-        field.shortest_path(locate()(p), std::back_inserter(path));
+        field.shortest_path(tracer().locate(p), std::back_inserter(path));
         paths.emplace_back();
         for(const Location& l : path)
-          paths.back().push_back(point(tm, l));
+          paths.back().push_back(tracer().point(l));
       }
-    write_polylines(args.has("paths-out") ? args.value<std::string>("paths-out") : out + ".paths.txt", paths);
+    command_line::write_lines(args.has("paths-out") ? args.value<std::string>("paths-out") : out + ".paths.txt", paths);
   }
 
   Mesh refined;
@@ -522,8 +414,8 @@ int distances(int argc, char* argv[])
   {
     const Isolines isolines =
       trace_isolines(*result_mesh, distance, args.value<double>("isolines"), result.maximum_distance);
-    write_polylines(args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt",
-                    isolines.polylines);
+    command_line::write_lines(
+      args.has("isolines-out") ? args.value<std::string>("isolines-out") : out + ".isolines.txt", isolines.polylines);
     json.set("isolines", isolines.polylines.size());
   }
 

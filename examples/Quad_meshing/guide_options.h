@@ -13,9 +13,9 @@
 // vertices and symmetry. Each option that names a file says what is wrong with it: file, line, reason.
 
 #include "command_line.h"
+#include "polyline_files.h"
 
 #include <CGAL/Quad_meshing/IO/read_number_rows.h>
-#include <CGAL/Quad_meshing/IO/read_polylines.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 
 #include <CGAL/Kd_tree.h>
@@ -42,6 +42,7 @@ namespace QM = CGAL::Quad_meshing;
 typedef QM::Quadrangulation Quadrangulation;
 typedef Quadrangulation::Mesh Mesh;
 typedef Quadrangulation::Kernel::Point_3 Point_3;
+using command_line::read_lines;
 using command_line::Unusable_input;
 
 inline void add(po::options_description& options)
@@ -94,15 +95,6 @@ inline std::vector<QM::Number_row> read_rows(const std::string& filename)
   if(!result.is_valid())
     throw Unusable_input(filename + ": " + result.message);
   return rows;
-}
-
-inline std::vector<QM::File_polyline> read_lines(const std::string& filename)
-{
-  std::vector<QM::File_polyline> polylines;
-  const QM::Guide_reading_result result = QM::read_polylines(filename, polylines);
-  if(!result.is_valid())
-    throw Unusable_input(filename + ": " + result.message);
-  return polylines;
 }
 
 inline Point_3 point(const std::vector<double>& n) { return Point_3(n[0], n[1], n[2]); }

@@ -14,15 +14,12 @@
 
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
-#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
-#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -36,19 +33,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-Mesh read_quad_mesh(const std::string& filename)
-{
-  std::vector<Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  command_line::read_soup(filename, points, polygons);
-  const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
-  if(!defects.is_pure_quad_mesh())
-    throw command_line::Unusable_input(filename + ": is not a pure quad mesh: " + defects.reasons().front());
-  Mesh qm;
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
-  return qm;
-}
-
 // Marks the edges of a quad mesh that follow marked edges of its reference. An edge is a chord of what it follows, so
 // its inner points may lie farther away than its ends.
 template <typename SharpEdges>
@@ -58,7 +42,7 @@ void mark_edges_on_reference(const Mesh& qm, const Mesh& tm, const SharpEdges& i
   // Distances as parts of the length of the edge, of its ends and of the points in between.
   constexpr double end_distance = 0.15, inner_distance = 0.3;
   typedef std::vector<Kernel::Segment_3> Segments;
-  typedef CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator> Primitive;
+  typedef QM::internal::Aabb_segment_primitive<Kernel, Segments::const_iterator> Primitive;
   Segments segments;
   for(Mesh::Edge_index e : tm.edges())
     if(is_sharp_in_reference[e])
@@ -154,7 +138,7 @@ int main(int argc, char* argv[])
       const QM::Structure_method method = args.choice("method", { "layout", "helices" }) == 0
                                             ? QM::Structure_method::LAYOUT
                                             : QM::Structure_method::HELICES;
-      Mesh qm = read_quad_mesh(args.positional(0));
+      Mesh qm = command_line::read_quad_mesh<Mesh>(args.positional(0));
       command_line::check_mesh_output(args.positional(1));
       command_line::check_scene_files(args);
       const int digits = command_line::check_quad_mesh_options(args);

@@ -9,20 +9,39 @@
 #ifndef CGAL_QUAD_MESHING_EXAMPLES_QUAD_MESH_FILES_H
 #define CGAL_QUAD_MESHING_EXAMPLES_QUAD_MESH_FILES_H
 
-// The options --patches and --digits of the programs that write quad meshes.
+// Quad meshes of the programs: how they are read, and the options --patches and --digits of those that write them.
 
 #include "command_line.h"
 
 #include <CGAL/Quad_meshing/IO/write_grouped_obj.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <fstream>
+#include <cstddef>
+#include <ostream>
 #include <string>
+#include <vector>
 
 namespace command_line {
+
+// Reads a pure quad mesh.
+template <typename Mesh>
+Mesh read_quad_mesh(const std::string& filename)
+{
+  std::vector<typename Mesh::Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  read_soup(filename, points, polygons);
+  const CGAL::Quad_meshing::Quad_mesh_defects defects = CGAL::Quad_meshing::find_quad_mesh_defects(points, polygons);
+  if(!defects.is_pure_quad_mesh())
+    throw Unusable_input(filename + ": is not a pure quad mesh: " + defects.reasons().front());
+  Mesh qm;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, qm);
+  return qm;
+}
 
 inline void add_quad_mesh_options(po::options_description& options)
 {
@@ -51,12 +70,12 @@ void write_patches(const Arguments& args, const QuadMesh& qm, int digits)
   const auto is_separatrix = get(CGAL::dynamic_edge_property_t<bool>(), qm);
   const auto patch = get(CGAL::dynamic_face_property_t<std::size_t>(), qm);
   CGAL::Quad_meshing::base_complex(qm, is_separatrix, patch);
-  std::ofstream out = open_output(filename);
-  out.precision(digits);
-  CGAL::Quad_meshing::write_grouped_obj(out, qm, patch, is_separatrix);
-  out.close();
-  if(!out)
-    throw Unusable_input(filename + ": writing failed");
+  write_file(filename,
+             [&](std::ostream& out)
+             {
+               out.precision(digits);
+               CGAL::Quad_meshing::write_grouped_obj(out, qm, patch, is_separatrix);
+             });
 }
 
 } // namespace command_line

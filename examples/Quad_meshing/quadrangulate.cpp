@@ -33,9 +33,8 @@ bool is_rosy(const std::string& filename) { return QM::internal::file_extension(
 
 // A file F.rosy, and beside it F.triangles.obj, the triangles that the field lies on. Other files have one line per
 // triangle: its centroid and the first direction of the cross there.
-void write_field(const std::string& filename, const QM::Quadrangulation_surface& q)
+void write_field(std::ostream& out, const std::string& filename, const QM::Quadrangulation_surface& q)
 {
-  std::ofstream out = command_line::open_output(filename);
   if(is_rosy(filename))
   {
     QM::write_rosy_field(out, q.mesh,
@@ -53,9 +52,8 @@ void write_field(const std::string& filename, const QM::Quadrangulation_surface&
 }
 
 // The triangles with the integer-grid map as texture coordinates, three for each triangle.
-void write_map(const std::string& filename, const QM::Quadrangulation_surface& q)
+void write_map(std::ostream& out, const QM::Quadrangulation_surface& q)
 {
-  std::ofstream out = command_line::open_output(filename);
   for(Mesh::Vertex_index v : q.mesh.vertices())
     out << "v " << q.mesh.point(v) << "\n";
   std::size_t corners = 0;
@@ -233,12 +231,18 @@ int main(int argc, char* argv[])
       if(result.status == QM::Quadrangulation_status::INVALID_INPUT)
         throw command_line::Unusable_input(args.positional(0) + ": " + result.message);
       if(args.has("save-field"))
-        write_field(args.value<std::string>("save-field"), q.surface());
+      {
+        const std::string filename = args.value<std::string>("save-field");
+        command_line::write_file(filename, [&](std::ostream& out) { write_field(out, filename, q.surface()); });
+      }
       if(args.has("save-uv"))
-        write_map(args.value<std::string>("save-uv"), q.surface());
-      if(args.has("save-uv") && !q.surface().t_meshes.empty())
-        std::cerr << "The map that was saved is not rounded to integers where quads were made along its T-mesh."
-                  << std::endl;
+      {
+        command_line::write_file(args.value<std::string>("save-uv"),
+                                 [&](std::ostream& out) { write_map(out, q.surface()); });
+        if(!q.surface().t_meshes.empty())
+          std::cerr << "The map that was saved is not rounded to integers where quads were made along its T-mesh."
+                    << std::endl;
+      }
       if(q.quads().mesh.number_of_faces() > 0)
       {
         command_line::write_mesh(args.positional(1), q.quads().mesh, digits);

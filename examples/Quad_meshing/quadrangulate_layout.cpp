@@ -9,17 +9,16 @@
 // Makes a quad mesh of a triangle mesh along a layout of four-sided patches.
 
 #include "command_line.h"
+#include "quad_mesh_files.h"
 
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Layout/surface_layout_files.h>
-#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -77,14 +76,7 @@ QM::Surface_layout read_layout(const std::string& filename, bool base_complex)
   const std::string extension = QM::internal::file_extension(filename);
   if(extension == "off" || extension == "ply" || (extension == "obj" && !holds_curves(filename)))
   {
-    std::vector<Point_3> points;
-    std::vector<std::vector<std::size_t>> polygons;
-    command_line::read_soup(filename, points, polygons);
-    const QM::Quad_mesh_defects defects = QM::find_quad_mesh_defects(points, polygons);
-    if(!defects.is_pure_quad_mesh())
-      throw command_line::Unusable_input(filename + ": is not a pure quad mesh: " + defects.reasons().front());
-    Mesh qm;
-    PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
+    const Mesh qm = command_line::read_quad_mesh<Mesh>(filename);
     const QM::Surface_layout layout = base_complex ? QM::layout_from_base_complex(qm) : QM::layout_from_quad_mesh(qm);
     if(layout.patches.empty())
       throw command_line::Unusable_input(filename + ": its base complex has a patch that is no rectangle");
@@ -185,8 +177,8 @@ int main(int argc, char* argv[])
           command_line::check_output(args.value<std::string>(file));
       if(args.has("save-layout"))
       {
-        std::ofstream out = command_line::open_output(args.value<std::string>("save-layout"));
-        QM::write_surface_layout(out, layout);
+        command_line::write_file(args.value<std::string>("save-layout"),
+                                 [&](std::ostream& out) { QM::write_surface_layout(out, layout); });
       }
 
       CGAL::Real_timer timer;

@@ -175,19 +175,17 @@ QM::Mixed_integer_problem read_problem(const command_line::Arguments& args)
 
 void write_solution(const std::string& filename, const QM::Mixed_integer_problem& problem, const Eigen::VectorXd& x)
 {
-  std::ofstream out = command_line::open_output(filename);
-  for(int i = 0; i < x.size(); ++i)
-  {
-    char text[64];
-    if(problem.is_integer(i) && x[i] == std::floor(x[i]))
-      std::snprintf(text, sizeof(text), "%.0f", x[i]);
-    else
-      std::snprintf(text, sizeof(text), "%.17g", x[i]);
-    out << text << "\n";
-  }
-  out.close();
-  if(!out)
-    throw command_line::Unusable_input(filename + ": writing failed");
+  command_line::write_file(filename,
+                           [&](std::ostream& out)
+                           {
+                             for(int i = 0; i < x.size(); ++i)
+                             {
+                               char text[64];
+                               const bool is_whole = problem.is_integer(i) && x[i] == std::floor(x[i]);
+                               std::snprintf(text, sizeof(text), is_whole ? "%.0f" : "%.17g", x[i]);
+                               out << text << "\n";
+                             }
+                           });
 }
 
 int solve(int argc, char* argv[])

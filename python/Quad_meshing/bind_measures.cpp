@@ -84,9 +84,7 @@ py::tuple base_complex(const Doubles& points, const Integers& quads)
   const auto is_separatrix = qm.add_property_map<Mesh::Edge_index, bool>("e:is_separatrix", false).first;
   const auto patch = qm.add_property_map<Mesh::Face_index, std::size_t>("f:patch", 0).first;
   QM::base_complex(qm, is_separatrix, patch);
-  return py::make_tuple(
-    filled<Integers>(qm.number_of_faces(), [&](std::size_t i) { return patch[Mesh::Face_index(Mesh::size_type(i))]; }),
-    edges_array(qm, is_separatrix));
+  return py::make_tuple(map_array<Integers>(qm.number_of_faces(), patch), edges_array(qm, is_separatrix));
 }
 
 py::dict deviation(const Doubles& points, const Integers& quads, const Doubles& reference_points,

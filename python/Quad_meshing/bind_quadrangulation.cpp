@@ -207,11 +207,7 @@ void bind_quadrangulation(py::module_& module)
       "The edges of quads along feature edges, shape (k, 2).")
     .def_property_readonly(
       "input_faces",
-      [](const Run& r)
-      {
-        return filled<Integers>(r.quads().mesh.number_of_vertices(), [&](std::size_t i)
-                                { return r.quads().input_face[Mesh::Vertex_index(Mesh::size_type(i))]; });
-      },
+      [](const Run& r) { return map_array<Integers>(r.quads().mesh.number_of_vertices(), r.quads().input_face); },
       "The triangle of the input that each point of the quads lies in, shape (n,).")
     .def_property_readonly(
       "working_points", [](const Run& r) { return points_array(r.surface().mesh); },
@@ -224,21 +220,13 @@ void bind_quadrangulation(py::module_& module)
       "The edges of working triangles that quads follow, shape (k, 2).")
     .def_property_readonly(
       "origins",
-      [](const Run& r)
-      {
-        return filled<Integers>(r.surface().mesh.number_of_faces(), [&](std::size_t i)
-                                { return r.surface().origin[Mesh::Face_index(Mesh::size_type(i))]; });
-      },
+      [](const Run& r) { return map_array<Integers>(r.surface().mesh.number_of_faces(), r.surface().origin); },
       "The triangle of the input in or at which each working triangle lies, shape (q,).")
     .def_property_readonly("cross_field", &cross_field,
                            "One of the four directions of each working triangle, unit vectors of shape (q, 3).")
     .def_property_readonly(
       "singularity_indices",
-      [](const Run& r)
-      {
-        return filled<Integers>(r.surface().mesh.number_of_vertices(), [&](std::size_t i)
-                                { return r.surface().index[Mesh::Vertex_index(Mesh::size_type(i))]; });
-      },
+      [](const Run& r) { return map_array<Integers>(r.surface().mesh.number_of_vertices(), r.surface().index); },
       "The index of the cross field at each working point in quarters, shape (p,): 1 for three quads, -1 for five.")
     .def_property_readonly("integer_grid_map", &integer_grid,
                            "The coordinates of the three corners of each working triangle in the integer grid, "

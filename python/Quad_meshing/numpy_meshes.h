@@ -79,6 +79,14 @@ Array filled(std::size_t size, Function value)
   return array;
 }
 
+// The values of a property map of a mesh without removed elements, shape (n,).
+template <typename Array, typename PropertyMap>
+Array map_array(std::size_t size, const PropertyMap& map)
+{
+  typedef typename PropertyMap::key_type Index;
+  return filled<Array>(size, [&](std::size_t i) { return map[Index(static_cast<Mesh::size_type>(i))]; });
+}
+
 // The place of a word in a list. Raises ValueError if it is not there.
 std::size_t choice(const std::string& name, const std::string& word, const std::vector<std::string>& words);
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Quad_meshing/Geodesics/internal/Turning_angle.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window.h>
+#include <CGAL/Quad_meshing/Geodesics/internal/Window_merging.h>
 #include <CGAL/Quad_meshing/Geodesics/internal/Window_predicates.h>
 
 #include <CGAL/Random.h>
@@ -303,6 +304,57 @@ void test_angles()
   }
 }
 
+// Whether a merged window keeps the distances at the ends of both, and differs in between by no more than its error.
+bool stands_for(const Window& merged, const Window& l, const Window& r)
+{
+  const double rounding = 1e-13;
+  bool is_right = merged.b0 == l.b0 && merged.b1 == r.b1 &&
+                  std::abs(merged.distance(l.b0) - l.distance(l.b0)) < rounding &&
+                  std::abs(merged.distance(r.b1) - r.distance(r.b1)) < rounding;
+  const int samples = 50;
+  for(int i = 0; i <= samples; ++i)
+    for(const Window* w : { &l, &r })
+    {
+      const double t = w->b0 + (w->b1 - w->b0) * i / samples;
+      is_right = is_right && std::abs(merged.distance(t) - w->distance(t)) <= merged.error + rounding;
+    }
+  return is_right;
+}
+
+// Neighbors are merged into a window that keeps the distances at the ends, unless its error were too large. Straight
+// fronts whose rays part are not: between them there is something else.
+void test_merging()
+{
+  int linear_merges = 0, circular_merges = 0;
+  for(int i = 0; i < 1000; ++i)
+  {
+    const double x = draw(-0.6, 0.6), turn = draw(0.01, 0.3), b = draw(0.3, 0.7), distance = draw(3, 9);
+    auto linear = [](double b0, double b1, double x, double sigma)
+    { return Window{ b0, b1, x, std::sqrt(1 - x * x), sigma, 0, true, true, true, 0.f }; };
+    const Window l = linear(0, b, x, distance);
+    auto neighbor = [&](double slope) { return linear(b, 1, slope, l.distance(b) - slope * b); };
+    Window merged;
+    const double any = 1; // a relative error
+    assert(!QM::merge_windows(l, neighbor(x + turn), any, merged));
+    assert(QM::merge_windows(l, neighbor(x - turn), any, merged) && stands_for(merged, l, neighbor(x - turn)));
+    assert(merged.error > 0 && !QM::merge_windows(l, neighbor(x - turn), 0.9 * merged.error / distance, merged));
+    ++linear_merges;
+
+    // The second source lies on the ray of the first one to the place where both meet, as behind a saddle.
+    const double sx = draw(-1, 2), sy = draw(1, 3), s = draw(0.05, 0.6);
+    Window first = circular(sx, sy, distance), second = circular(sx + s * (b - sx), (1 - s) * sy, 0);
+    first.b1 = second.b0 = b;
+    second.sigma = first.distance(b) - second.distance(b);
+    if(QM::merge_windows(first, second, any, merged))
+    {
+      assert(stands_for(merged, first, second));
+      ++circular_merges;
+    }
+  }
+  std::cout << linear_merges << " linear and " << circular_merges << " circular windows merged" << std::endl;
+  assert(circular_merges > 100);
+}
+
 int main()
 {
   test_distances();
@@ -310,6 +362,7 @@ int main()
   test_rays();
   test_widths();
   test_angles();
+  test_merging();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -21,7 +21,6 @@
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 #include <CGAL/Quad_meshing/quadrangulate.h>
 
-#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -218,7 +217,7 @@ void test_sizing_methods()
 template <typename Points>
 double share_on_edges(const Mesh& qm, const Points& points, double largest_distance)
 {
-  typedef CGAL::AABB_segment_primitive<Kernel, std::vector<Kernel::Segment_3>::const_iterator> Primitive;
+  typedef QM::internal::Aabb_segment_primitive<Kernel, std::vector<Kernel::Segment_3>::const_iterator> Primitive;
   std::vector<Kernel::Segment_3> edges;
   for(auto e : qm.edges())
     edges.emplace_back(qm.point(qm.vertex(e, 0)), qm.point(qm.vertex(e, 1)));

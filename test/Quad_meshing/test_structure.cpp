@@ -507,13 +507,16 @@ void test_global_smoothing()
   std::cout << "global smoothing" << std::endl;
   const auto globally = CGAL::parameters::smooth_globally(true);
   // a square whose middle has been pushed to a side: no other mesh of it has better quads than the grid
+  auto pushed = [](SM::Quad_soup soup, int n)
+  {
+    for(Point_3& p : soup.points)
+      p = Point_3(p.x() + 5 * std::sin(SM::pi * p.x() / n) * std::sin(SM::pi * p.y() / n),
+                  p.y() - 5 * std::sin(SM::pi * p.x() / n) * std::sin(2 * SM::pi * p.y() / n), 0);
+    return soup;
+  };
   const SM::Quad_soup square = SM::grid(40, 40);
-  SM::Quad_soup pushed = square;
-  for(Point_3& p : pushed.points)
-    p = Point_3(p.x() + 5 * std::sin(SM::pi * p.x() / 40) * std::sin(SM::pi * p.y() / 40),
-                p.y() - 5 * std::sin(SM::pi * p.x() / 40) * std::sin(2 * SM::pi * p.y() / 40), 0);
   const Mesh plane = SM::triangulated(square);
-  Mesh one_by_one = SM::make_mesh(pushed), all_at_once = one_by_one;
+  Mesh one_by_one = SM::make_mesh(pushed(square, 40)), all_at_once = one_by_one;
   assert(QM::smooth_quad_mesh(one_by_one, plane).quality_after.mean_angle_deviation > 4);
   assert(QM::smooth_quad_mesh(all_at_once, plane, globally).quality_after.mean_angle_deviation < 0.1);
   for(auto v : all_at_once.vertices())
@@ -525,6 +528,13 @@ void test_global_smoothing()
     if(q.y() == 0 || q.y() == 40)
       assert(p.y() == q.y());
   }
+
+  // A smaller square pushed as far: quads get worse where a step goes too far, and these steps are damped. Without the
+  // damping, the mean deviation is 3.7 degrees, with it 0.7.
+  const SM::Quad_soup small_square = SM::grid(24, 24);
+  Mesh small = SM::make_mesh(pushed(small_square, 24));
+  assert(QM::smooth_quad_mesh(small, SM::triangulated(small_square), globally).quality_after.mean_angle_deviation <
+         1.5);
 
   // a cylinder whose ends are twisted by half a turn against each other: they have to go back along the border
   SM::Quad_soup cylinder = SM::rolled(32, 40, 0, false);

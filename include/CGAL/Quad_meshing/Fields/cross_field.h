@@ -9,16 +9,16 @@
 #ifndef CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_H
 #define CGAL_QUAD_MESHING_FIELDS_CROSS_FIELD_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/Field_problem.h>
 #include <CGAL/Quad_meshing/Fields/internal/constrain_faces.h>
 #include <CGAL/Quad_meshing/Fields/internal/face_lengths.h>
 #include <CGAL/Quad_meshing/Fields/internal/solve_field.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -30,7 +30,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -194,29 +193,20 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  typedef Static_boolean_property_map<edge_descriptor, false> No_edge;
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_edge>::type
-      Edge_is_constrained_map;
   typedef
     typename internal_np::Lookup_named_param_def<internal_np::face_direction_map_t, NamedParameters,
                                                  internal::No_face_direction<face_descriptor>>::type Face_direction_map;
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
 
-  constexpr bool takes_parameters = internal::Takes_parameters<
+  internal::check_parameters<
     NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
     internal_np::face_direction_map_t, internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t,
     internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
     internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t,
     internal_np::number_of_bound_rounds_t, internal_np::face_sizing_map_t, internal_np::prescribed_index_map_t,
-    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
-  static_assert(takes_parameters, "smooth_cross_field() does not take one of the named parameters.");
+    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>();
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
@@ -225,12 +215,8 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   static_assert(has_direction_map,
                 "face_direction_map must give an optional vector for every face of the triangle mesh.");
 
-  const Edge_is_constrained_map constrained =
-    choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
   const Face_direction_map direction = choose_parameter(get_parameter(np, internal_np::face_direction_map),
                                                         internal::No_face_direction<face_descriptor>());
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
   internal::Field_options options;
   options.method = choose_parameter(get_parameter(np, internal_np::cross_field_method), Cross_field_method::POLISHED);
@@ -271,9 +257,9 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
     return finish(Cross_field_status::NON_MANIFOLD_VERTEX, internal::non_manifold_message(mesh));
 
   internal::Field_problem problem(mesh);
-  internal::for_each_edge_of_faces(
-    tm, [&](edge_descriptor ed, int e)
-    { problem.aligned[e] = get(constrained, ed) || (align_boundary && problem.mesh.is_border_edge(e)); });
+  const std::vector<char> is_constrained = internal::constrained_edges(tm, np);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    problem.aligned[e] = is_constrained[e] || (align_boundary && mesh.is_border_edge(e));
   problem.constrain_faces_to_aligned_edges();
   for(auto f : faces(tm))
   {
@@ -284,13 +270,9 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   }
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
   {
-    std::vector<double> lengths(mesh.number_of_faces());
-    for(auto f : faces(tm))
-    {
-      lengths[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
-      if(!(lengths[get(fim, f)] > 0) || !std::isfinite(lengths[get(fim, f)]))
-        return finish(Cross_field_status::INVALID_LENGTH, "A target edge length is not a positive number.");
-    }
+    const std::vector<double> lengths = internal::face_lengths(tm, mesh.corners.size(), np);
+    if(!std::all_of(lengths.begin(), lengths.end(), [](double l) { return l > 0 && std::isfinite(l); }))
+      return finish(Cross_field_status::INVALID_LENGTH, "A target edge length is not a positive number.");
     const bool is_constant =
       std::all_of(lengths.begin(), lengths.end(), [&](double l) { return l == lengths.front(); });
     if(!is_constant)
@@ -311,8 +293,8 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 
   internal::Cross_field field;
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
-  const Cross_field_status status = internal::solve_field(problem, options, any_visitor, field, result);
+  internal::Named_visitor<NamedParameters> visitor(np);
+  const Cross_field_status status = internal::solve_field(problem, options, visitor, field, result);
   if(status != Cross_field_status::SUCCESS && status != Cross_field_status::EMPTY_SECTORS)
     return finish(status, status == Cross_field_status::STOPPED
                             ? "The visitor stopped the computation of the cross field."

@@ -43,10 +43,8 @@ Cross_field_report<TriangleMesh> report_on_cross_field(const TriangleMesh& tm, F
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef Cross_field_report_status Status;
 
-  constexpr bool takes_parameters =
-    Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
-                     internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>::value;
-  static_assert(takes_parameters, "This function does not take one of the named parameters.");
+  check_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
+                   internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>();
   constexpr bool has_edge_map =
     map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");

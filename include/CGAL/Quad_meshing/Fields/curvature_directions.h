@@ -9,20 +9,18 @@
 #ifndef CGAL_QUAD_MESHING_FIELDS_CURVATURE_DIRECTIONS_H
 #define CGAL_QUAD_MESHING_FIELDS_CURVATURE_DIRECTIONS_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_curvature_directions.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
+#include <boost/property_map/property_map.hpp>
 
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -90,55 +88,28 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
                                             FaceDirectionMap direction, FaceWeightMap weight,
                                             const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type::Vector_3 Vector_3;
   typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
-                               internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t>::value;
-  static_assert(takes_parameters, "curvature_directions() does not take one of the named parameters.");
+  internal::check_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
+                             internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
+                             internal_np::face_index_t>();
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The value type of the map of directions must be an optional vector, such as std::optional<Vector_3>.");
 
-  const auto is_feature = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                           Static_boolean_property_map<edge_descriptor, false>());
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
   Curvature_guide_result result;
-  if(!is_triangle_mesh(tm))
-  {
-    result.status = Curvature_guide_status::NOT_A_TRIANGLE_MESH;
-    result.message = "The mesh has a face that is not a triangle.";
+  if(!internal::has_triangles_only(tm, result))
     return result;
-  }
   const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np);
-  std::vector<char> features(mesh.number_of_edges(), 0);
-  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i) { features[i] = get(is_feature, e); });
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<internal::Indexed_triangle_mesh::Vector_3> directions;
   std::vector<double> weights;
-  const auto fim = internal::face_numbers(tm, np);
-  std::vector<double> lengths;
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
-  {
-    lengths.resize(mesh.number_of_faces());
-    for(auto f : faces(tm))
-      lengths[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
-  }
   result =
-    internal::find_curvature_directions(mesh, target_edge_length, lengths, features, any_visitor, directions, weights);
+    internal::find_curvature_directions(mesh, target_edge_length, internal::face_lengths(tm, mesh.corners.size(), np),
+                                        internal::constrained_edges(tm, np), visitor, directions, weights);
   if(!result.is_valid())
     return result;
+  const auto fim = internal::face_numbers(tm, np);
   for(auto f : faces(tm))
   {
     const auto i = get(fim, f);

@@ -9,20 +9,18 @@
 #ifndef CGAL_QUAD_MESHING_FIELDS_LOCAL_FEATURE_SIZE_H
 #define CGAL_QUAD_MESHING_FIELDS_LOCAL_FEATURE_SIZE_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Fields/Curvature_guide_result.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_feature_sizes.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -68,32 +66,17 @@ template <typename TriangleMesh, typename FaceSizingMap,
 Curvature_guide_result local_feature_size(const TriangleMesh& tm, FaceSizingMap size,
                                           const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter_reference;
+  internal::check_parameters<NamedParameters, internal_np::visitor_t, internal_np::vertex_point_t,
+                             internal_np::vertex_index_t, internal_np::face_index_t>();
 
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      Visitor_reference;
-
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParameters, internal_np::visitor_t, internal_np::vertex_point_t,
-                               internal_np::vertex_index_t, internal_np::face_index_t>::value;
-  static_assert(takes_parameters, "local_feature_size() does not take one of the named parameters.");
-
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   Curvature_guide_result result;
-  if(!is_triangle_mesh(tm))
-  {
-    result.status = Curvature_guide_status::NOT_A_TRIANGLE_MESH;
-    result.message = "The mesh has a face that is not a triangle.";
+  if(!internal::has_triangles_only(tm, result))
     return result;
-  }
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<double> sizes;
   {
-    const internal::Visited_stage stage(any_visitor, "local feature size");
-    internal::Stage_progress progress(any_visitor);
+    const internal::Visited_stage stage(visitor, "local feature size");
+    internal::Stage_progress progress(visitor);
     if(!internal::find_feature_sizes(internal::make_indexed_triangle_mesh(tm, np), progress, sizes))
     {
       result.status = Curvature_guide_status::STOPPED;

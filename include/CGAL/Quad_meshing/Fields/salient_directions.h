@@ -14,10 +14,10 @@
 #include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <vector>
@@ -90,12 +90,8 @@ Curvature_guide_result salient_directions(const TriangleMesh& tm, double target_
   const double minimum_anisotropy = choose_parameter(get_parameter(np, internal_np::minimum_anisotropy), 0.8);
 
   Curvature_guide_result result;
-  if(!is_triangle_mesh(tm))
-  {
-    result.status = Curvature_guide_status::NOT_A_TRIANGLE_MESH;
-    result.message = "The mesh has a face that is not a triangle.";
+  if(!internal::has_triangles_only(tm, result))
     return result;
-  }
   internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<internal::Indexed_triangle_mesh::Vector_3> directions;
   result = internal::find_salient_directions(internal::make_indexed_triangle_mesh(tm, np), target_edge_length,

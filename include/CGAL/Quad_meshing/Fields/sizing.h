@@ -14,11 +14,11 @@
 #include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <cmath>
 #include <vector>
@@ -101,12 +101,8 @@ Curvature_guide_result curvature_sizing(const TriangleMesh& tm, double tolerance
   const double gradation = choose_parameter(get_parameter(np, internal_np::sizing_gradation), 0.3);
 
   Curvature_guide_result result;
-  if(!is_triangle_mesh(tm))
-  {
-    result.status = Curvature_guide_status::NOT_A_TRIANGLE_MESH;
-    result.message = "The mesh has a face that is not a triangle.";
+  if(!internal::has_triangles_only(tm, result))
     return result;
-  }
   internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<double> length;
   result = internal::find_curvature_sizing(internal::make_indexed_triangle_mesh(tm, np), tolerance, minimum, maximum,

@@ -40,6 +40,15 @@ std::array<double, 3> coordinates(const Point& p)
   return { { to_double(p.x()), to_double(p.y()), to_double(p.z()) } };
 }
 
+inline Scene_layer empty_layer(const std::string& name, const std::string& group, Scene_layer_kind kind)
+{
+  Scene_layer layer;
+  layer.name = name;
+  layer.group = group;
+  layer.kind = kind;
+  return layer;
+}
+
 // Collapses edges of the triangles of a layer until so many are left; does nothing if they are no manifold. Numbers
 // and grid are given up.
 CGAL_QUAD_MESHING_INLINE void simplify_layer(Scene_layer& layer, std::size_t most_triangles);
@@ -60,9 +69,7 @@ CGAL_QUAD_MESHING_INLINE void simplify_layer(Scene_layer& layer, std::size_t mos
 template <typename FaceGraph>
 Scene_layer make_faces_layer(const FaceGraph& mesh, const std::string& name, const std::string& group)
 {
-  Scene_layer layer;
-  layer.name = name;
-  layer.group = group;
+  Scene_layer layer = internal::empty_layer(name, group, Scene_layer_kind::FACES);
   std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, std::size_t> number;
   const auto vpm = get(vertex_point, mesh);
   for(auto v : vertices(mesh))
@@ -95,9 +102,7 @@ template <typename PointRange, typename PolygonRange>
 Scene_layer make_polygons_layer(const PointRange& points, const PolygonRange& polygons, const std::string& name,
                                 const std::string& group)
 {
-  Scene_layer layer;
-  layer.name = name;
-  layer.group = group;
+  Scene_layer layer = internal::empty_layer(name, group, Scene_layer_kind::FACES);
   for(const auto& p : points)
     layer.add_point(internal::coordinates(p));
   for(const auto& polygon : polygons)
@@ -144,10 +149,7 @@ template <typename FaceGraph, typename EdgePredicate>
 Scene_layer make_edges_layer(const FaceGraph& mesh, EdgePredicate is_shown, const std::string& name,
                              const std::string& group)
 {
-  Scene_layer layer;
-  layer.name = name;
-  layer.group = group;
-  layer.kind = Scene_layer_kind::LINES;
+  Scene_layer layer = internal::empty_layer(name, group, Scene_layer_kind::LINES);
   const auto vpm = get(vertex_point, mesh);
   for(auto e : edges(mesh))
     if(is_shown(e))
@@ -173,10 +175,7 @@ Scene_layer make_edges_layer(const FaceGraph& mesh, EdgePredicate is_shown, cons
 template <typename PolylineRange>
 Scene_layer make_polylines_layer(const PolylineRange& polylines, const std::string& name, const std::string& group)
 {
-  Scene_layer layer;
-  layer.name = name;
-  layer.group = group;
-  layer.kind = Scene_layer_kind::LINES;
+  Scene_layer layer = internal::empty_layer(name, group, Scene_layer_kind::LINES);
   std::vector<std::size_t> corners;
   for(const auto& polyline : polylines)
   {

@@ -43,14 +43,8 @@ namespace Quad_meshing {
 template <typename QuadMesh, typename NamedParameters = parameters::Default_named_parameters>
 Surface_layout layout_from_quad_mesh(const QuadMesh& qm, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   CGAL_precondition(is_quad_mesh(qm));
-  return internal::quad_mesh_layout(
-    internal::make_indexed_quad_mesh(
-      qm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, qm)),
-      internal::edge_constraint_map(qm, np))
-      .mesh);
+  return internal::quad_mesh_layout(internal::make_indexed_quad_mesh(qm, np).mesh);
 }
 
 /*!
@@ -77,14 +71,8 @@ Surface_layout layout_from_quad_mesh(const QuadMesh& qm, const NamedParameters& 
 template <typename QuadMesh, typename NamedParameters = parameters::Default_named_parameters>
 Surface_layout layout_from_base_complex(const QuadMesh& qm, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   CGAL_precondition(is_quad_mesh(qm));
-  return internal::base_complex_layout(
-    internal::make_indexed_quad_mesh(
-      qm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, qm)),
-      internal::edge_constraint_map(qm, np))
-      .mesh);
+  return internal::base_complex_layout(internal::make_indexed_quad_mesh(qm, np).mesh);
 }
 
 } // namespace Quad_meshing

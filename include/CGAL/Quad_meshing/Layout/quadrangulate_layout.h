@@ -9,16 +9,16 @@
 #ifndef CGAL_QUAD_MESHING_LAYOUT_QUADRANGULATE_LAYOUT_H
 #define CGAL_QUAD_MESHING_LAYOUT_QUADRANGULATE_LAYOUT_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Layout/Layout_quadrangulation_result.h>
 #include <CGAL/Quad_meshing/Layout/Surface_layout.h>
 #include <CGAL/Quad_meshing/Layout/internal/quadrangulate_indexed_layout.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
 #include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/internal/read_parameter.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -26,7 +26,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -39,18 +38,10 @@ template <typename TriangleMesh, typename NamedParameters>
 std::vector<char> constrained_halfedges(const Indexed_triangle_mesh& mesh, const TriangleMesh& tm,
                                         const NamedParameters& np)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  const auto ecm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                                Static_boolean_property_map<edge_descriptor, false>());
+  const std::vector<char> edge_is_constrained = constrained_edges(tm, np);
   std::vector<char> is_constrained(mesh.number_of_halfedges(), 0);
-  for_each_edge_of_faces(tm,
-                         [&](edge_descriptor e, int i)
-                         {
-                           const int h = mesh.halfedge_of_edge[i];
-                           is_constrained[h] = get(ecm, e) ? 1 : 0;
-                           if(mesh.opposite[h] != -1)
-                             is_constrained[mesh.opposite[h]] = is_constrained[h];
-                         });
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    is_constrained[h] = edge_is_constrained[mesh.edge_of[h]];
   return is_constrained;
 }
 
@@ -191,20 +182,17 @@ Layout_quadrangulation_result quadrangulate_layout(const TriangleMesh& tm, const
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   using parameters::is_default_parameter;
   typedef typename boost::graph_traits<QuadMesh>::face_descriptor face_descriptor;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<
-      NamedParametersTM, internal_np::target_edge_length_t, internal_np::target_number_of_quads_t,
-      internal_np::layout_chart_t, internal_np::number_of_iterations_t, internal_np::arc_alignment_t,
-      internal_np::edge_is_constrained_t, internal_np::mean_value_weights_t, internal_np::least_squares_alignment_t,
-      internal_np::rounding_method_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-      internal_np::face_index_t, internal_np::visitor_t>::value &&
-    internal::Takes_parameters<NamedParametersQM, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
-                               internal_np::face_patch_t>::value;
-  static_assert(takes_parameters, "quadrangulate_layout() does not take one of the named parameters.");
+  internal::check_parameters<
+    NamedParametersTM, internal_np::target_edge_length_t, internal_np::target_number_of_quads_t,
+    internal_np::layout_chart_t, internal_np::number_of_iterations_t, internal_np::arc_alignment_t,
+    internal_np::edge_is_constrained_t, internal_np::mean_value_weights_t, internal_np::least_squares_alignment_t,
+    internal_np::rounding_method_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t,
+    internal_np::visitor_t>();
+  internal::check_parameters<NamedParametersQM, internal_np::vertex_point_t, internal_np::edge_is_constrained_t,
+                             internal_np::face_patch_t>();
   CGAL_precondition(is_triangle_mesh(tm));
 
   internal::Layout_options options;
@@ -217,9 +205,7 @@ Layout_quadrangulation_result quadrangulate_layout(const TriangleMesh& tm, const
   internal::read_parameter(np_tm, internal_np::least_squares_alignment, options.least_squares_alignment);
   internal::read_parameter(np_tm, internal_np::rounding_method, options.rounding);
 
-  Default_visitor default_visitor;
-  auto&& user_visitor = choose_parameter(get_parameter_reference(np_tm, internal_np::visitor), default_visitor);
-  internal::Visitor_adaptor<std::remove_reference_t<decltype(user_visitor)>> visitor(user_visitor);
+  internal::Named_visitor<NamedParametersTM> visitor(np_tm);
 
   const internal::Indexed_triangle_mesh mesh = internal::make_indexed_triangle_mesh(tm, np_tm);
   internal::Layout_quads quads;

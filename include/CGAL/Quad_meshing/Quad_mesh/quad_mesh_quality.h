@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
+#include <CGAL/Quad_meshing/internal/quad_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -118,15 +119,8 @@ CGAL_QUAD_MESHING_INLINE std::vector<std::pair<double, int>> worst_quads_of(cons
 template <typename QuadMesh, typename NamedParameters = parameters::Default_named_parameters>
 Quad_mesh_quality quad_mesh_quality(const QuadMesh& qm, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
-
   CGAL_precondition(is_quad_mesh(qm));
-  const auto vpm =
-    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, qm));
-  return internal::quality_of_quad_mesh(
-    internal::make_indexed_quad_mesh(qm, vpm, Static_boolean_property_map<edge_descriptor, false>()).mesh);
+  return internal::quality_of_quad_mesh(internal::make_indexed_quad_mesh(qm, np).mesh);
 }
 
 /*!
@@ -149,14 +143,8 @@ template <typename QuadMesh, typename NamedParameters = parameters::Default_name
 std::vector<std::pair<typename boost::graph_traits<QuadMesh>::face_descriptor, double>>
 worst_quads(const QuadMesh& qm, std::size_t number, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename boost::graph_traits<QuadMesh>::edge_descriptor edge_descriptor;
-
   CGAL_precondition(is_quad_mesh(qm));
-  const auto vpm =
-    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, qm));
-  const auto copy = internal::make_indexed_quad_mesh(qm, vpm, Static_boolean_property_map<edge_descriptor, false>());
+  const auto copy = internal::make_indexed_quad_mesh(qm, np);
 
   std::vector<std::pair<typename boost::graph_traits<QuadMesh>::face_descriptor, double>> worst;
   for(const std::pair<double, int>& quad : internal::worst_quads_of(copy.mesh, number))

@@ -96,10 +96,8 @@ struct Gp_input
                      internal_np::operator_step_cost_t>();
 
     CGAL_precondition(is_quad_mesh(qm));
-    const auto vpm =
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, qm));
     merge_singularities = choose_parameter(get_parameter(np, internal_np::merge_singularities), false);
-    copy = make_indexed_quad_mesh(qm, vpm, edge_constraint_map(qm, np));
+    copy = make_indexed_quad_mesh(qm, np);
     state = initial_structure_state(copy.mesh, constrained_vertices(copy, np));
   }
 

@@ -9,22 +9,21 @@
 #ifndef CGAL_QUAD_MESHING_WORKING_MESH_MAKE_WORKING_MESH_H
 #define CGAL_QUAD_MESHING_WORKING_MESH_MAKE_WORKING_MESH_H
 
-#include <CGAL/Quad_meshing/Default_visitor.h>
 #include <CGAL/Quad_meshing/Working_mesh/Working_mesh_result.h>
 #include <CGAL/Quad_meshing/Working_mesh/internal/build_working_mesh.h>
-#include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Named_visitor.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <type_traits>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -120,52 +119,29 @@ Working_mesh_result make_working_mesh(const TriangleMesh& tm, double target_edge
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   using parameters::is_default_parameter;
 
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   typedef typename boost::graph_traits<WorkingMesh>::vertex_descriptor working_vertex_descriptor;
   typedef typename boost::graph_traits<WorkingMesh>::face_descriptor working_face_descriptor;
   typedef typename boost::graph_traits<WorkingMesh>::halfedge_descriptor working_halfedge_descriptor;
-  typedef
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParametersTM, Default_visitor>::reference
-      Visitor_reference;
 
-  constexpr bool takes_parameters =
-    internal::Takes_parameters<NamedParametersTM, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
-                               internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t>::value &&
-    internal::Takes_parameters<NamedParametersWM, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
-                               internal_np::input_face_map_t>::value;
-  static_assert(takes_parameters, "make_working_mesh() does not take one of the named parameters.");
-
-  const auto is_feature = choose_parameter(get_parameter(np_tm, internal_np::edge_is_constrained),
-                                           Static_boolean_property_map<edge_descriptor, false>());
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(np_tm, internal_np::visitor), default_visitor);
+  internal::check_parameters<NamedParametersTM, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
+                             internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
+                             internal_np::face_index_t>();
+  internal::check_parameters<NamedParametersWM, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
+                             internal_np::input_face_map_t>();
 
   Working_mesh_result result;
-  if(!is_triangle_mesh(tm))
-  {
-    result.status = Working_mesh_status::NOT_A_TRIANGLE_MESH;
-    result.message = "The mesh has a face that is not a triangle.";
+  if(!internal::has_triangles_only(tm, result))
     return result;
-  }
   internal::Reference_surface input(internal::make_indexed_triangle_mesh(tm, np_tm));
-  std::vector<char> features(input.mesh().number_of_edges(), 0);
-  internal::for_each_edge_of_faces(tm, [&](edge_descriptor e, int i) { features[i] = get(is_feature, e); });
   const auto fim = internal::face_numbers(tm, np_tm);
-  std::vector<double> lengths;
-  if constexpr(!is_default_parameter<NamedParametersTM, internal_np::face_sizing_map_t>::value)
-  {
-    lengths.resize(input.mesh().corners.size());
-    for(face_descriptor f : faces(tm))
-      lengths[get(fim, f)] = to_double(get(get_parameter(np_tm, internal_np::face_sizing_map), f));
-  }
-  internal::Visitor_adaptor<typename std::remove_reference<Visitor_reference>::type> any_visitor(visitor);
+  internal::Named_visitor<NamedParametersTM> visitor(np_tm);
   internal::Working_triangles triangles;
-  result = internal::build_working_mesh(input, features, target_edge_length, lengths, any_visitor, triangles);
+  result =
+    internal::build_working_mesh(input, internal::constrained_edges(tm, np_tm), target_edge_length,
+                                 internal::face_lengths(tm, input.mesh().corners.size(), np_tm), visitor, triangles);
   if(!result.is_valid())
     return result;
 

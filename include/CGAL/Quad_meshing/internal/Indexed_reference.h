@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/element_numbers.h>
 #include <CGAL/Quad_meshing/internal/parameter_checks.h>
+#include <CGAL/Quad_meshing/internal/triangle_mesh_parameters.h>
 #include <CGAL/Quad_meshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -62,13 +63,7 @@ Indexed_reference make_indexed_reference(const TriangleMesh& tm, const NamedPara
       (is_on_border ? reference.borders : reference.features)
         .push_back({ { static_cast<int>(get(vim, source(e, tm))), static_cast<int>(get(vim, target(e, tm))) } });
   }
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)
-  {
-    const auto fim = face_numbers(tm, np);
-    reference.length.resize(reference.mesh.corners.size());
-    for(auto f : faces(tm))
-      reference.length[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
-  }
+  reference.length = face_lengths(tm, reference.mesh.corners.size(), np);
   return reference;
 }
 

@@ -31,6 +31,16 @@ auto edge_constraint_map(const QuadMesh&, const NamedParameters& np)
                                       Ignoring_map<edge_descriptor>());
 }
 
+// ... with `vertex_point_map`, which a flat copy is made from ...
+template <typename QuadMesh, typename NamedParameters>
+Indexed_quad_mesh_copy<QuadMesh> make_indexed_quad_mesh(const QuadMesh& qm, const NamedParameters& np)
+{
+  return make_indexed_quad_mesh(qm,
+                                parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                             get_const_property_map(vertex_point, qm)),
+                                edge_constraint_map(qm, np));
+}
+
 // ... and `vertex_is_constrained_map`, read for the vertices of a flat copy.
 template <typename QuadMesh, typename NamedParameters>
 std::vector<char> constrained_vertices(const Indexed_quad_mesh_copy<QuadMesh>& copy, const NamedParameters& np)

@@ -121,15 +121,22 @@ private:
     m_graph.unlink(b);
   }
 
+  // The other side of the face of a ray if the face has two sides or one, NONE if it has more.
+  int other_of_two_sides(int r) const
+  {
+    if(m_graph.opposite[r] < 0)
+      return Grid_graph::NONE;
+    const int s = m_graph.next(r);
+    return s != Grid_graph::NONE && m_graph.next(s) == r ? s : int(Grid_graph::NONE);
+  }
+
   bool cancel_crossings()
   {
     bool changed = false;
     for(int r = 0; r < m_graph.number_of_rays(); ++r)
     {
-      if(m_graph.opposite[r] < 0)
-        continue;
-      const int s = m_graph.next(r);
-      if(s == Grid_graph::NONE || m_graph.next(s) != r)
+      const int s = other_of_two_sides(r);
+      if(s == Grid_graph::NONE)
         continue;
       const int p = m_graph.node[r], q = m_graph.node[s];
       if(m_sign[p] * m_sign[q] != -1 || inner_degree(p) != 4 || inner_degree(q) != 4)
@@ -198,10 +205,8 @@ private:
     bool changed = false;
     for(int r = 0; r < m_graph.number_of_rays(); ++r)
     {
-      if(m_graph.opposite[r] < 0)
-        continue;
-      const int s = m_graph.next(r);
-      if(s == Grid_graph::NONE || m_graph.next(s) != r)
+      const int s = other_of_two_sides(r);
+      if(s == Grid_graph::NONE)
         continue;
       // A valid map may contain such a face as the outside of a single edge only; one side must stay.
       if(s == m_graph.opposite[r])

@@ -13,7 +13,6 @@
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Random.h>
 
@@ -36,7 +35,7 @@ class Mirrored_surface
 {
   typedef Exact_predicates_inexact_constructions_kernel Kernel;
   typedef Kernel::Triangle_3 Triangle_3;
-  typedef AABB_triangle_primitive<Kernel, std::vector<Triangle_3>::const_iterator> Primitive;
+  typedef Aabb_triangle_primitive<Kernel, std::vector<Triangle_3>::const_iterator> Primitive;
 
 public:
   typedef Mirror::Point_3 Point_3;

@@ -48,46 +48,46 @@ public:
 
   Cone_profile(const Indexed_triangle_mesh& mesh, const Vertex_sectors& sectors, const std::vector<bool>& is_aligned,
                const std::vector<double>& target_edge_length)
-    : weight(mesh.number_of_faces(), 1.)
-    , sizing(target_edge_length)
-    , m_mesh(mesh)
-    , m_is_aligned(is_aligned)
-    , m_target_edge_length(target_edge_length)
-    , m_nearest(mesh.number_of_faces(), 1.)
-    , m_seen_from(mesh.number_of_faces(), -1)
+    : weight(mesh.number_of_faces(), 1.), sizing(target_edge_length)
   {
+    Search search{ mesh, is_aligned, target_edge_length, std::vector<double>(mesh.number_of_faces(), 1.),
+                   std::vector<int>(mesh.number_of_faces(), -1) };
     for(std::size_t i = 0; i < sectors.list.size(); ++i)
       if(sectors.list[i].is_irregular)
-        visit(sectors.list[i], static_cast<int>(i));
+        visit(sectors.list[i], static_cast<int>(i), search);
   }
 
 private:
-  const Indexed_triangle_mesh& m_mesh;
-  const std::vector<bool>& m_is_aligned;
-  const std::vector<double>& m_target_edge_length;
-  std::vector<double> m_nearest; // per face: the distance to the nearest irregular vertex, over the reach
-  std::vector<int> m_seen_from;  // per face: a sector
+  // What the visits share.
+  struct Search
+  {
+    const Indexed_triangle_mesh& mesh;
+    const std::vector<bool>& is_aligned;
+    const std::vector<double>& target_edge_length;
+    std::vector<double> nearest; // per face: the distance to the nearest irregular vertex, over the reach
+    std::vector<int> seen_from;  // per face: a sector
+  };
 
   // In target edge lengths. Measured on 36 models at 4000 quads, with weights at all irregular corners: with 2 and with
   // 4, 31 of them need no second map (26 without these weights); 4 makes edge lengths less even.
   static constexpr double reach = 2;
 
-  void visit(const Vertex_sectors::Sector& sector, int number)
+  void visit(const Vertex_sectors::Sector& sector, int number, Search& s)
   {
     const double largest_weight = 1000; // a triangle whose centroid is this near is far smaller than a quad
     const double largest_grading = 4;   // of the lengths, either way
     std::vector<int> front;
     auto reached = [&](int f)
     {
-      if(m_seen_from[f] == number)
+      if(s.seen_from[f] == number)
         return;
-      m_seen_from[f] = number;
+      s.seen_from[f] = number;
       front.push_back(f);
     };
     double angle = 0;
     for(int h : sector.halfedges)
     {
-      angle += Vertex_sectors::angle_at_source(m_mesh, h);
+      angle += Vertex_sectors::angle_at_source(s.mesh, h);
       reached(h / 3);
     }
     if(!(angle > 0))
@@ -100,27 +100,26 @@ private:
     for(std::size_t k = 0; k < front.size(); ++k)
     {
       const int f = front[k];
-      const double r = distance(sector.vertex, f) / (reach * m_target_edge_length[f]);
+      const double r = distance(s.mesh, sector.vertex, f) / (reach * s.target_edge_length[f]);
       if(!(r < 1))
         continue;
-      if(r < m_nearest[f])
+      if(r < s.nearest[f])
       {
-        m_nearest[f] = r;
+        s.nearest[f] = r;
         weight[f] = r * r * largest_weight > 1 ? 1 / (r * r) : largest_weight;
         sizing[f] =
-          m_target_edge_length[f] / (std::min)(largest_grading, (std::max)(1 / largest_grading, std::pow(r, exponent)));
+          s.target_edge_length[f] / (std::min)(largest_grading, (std::max)(1 / largest_grading, std::pow(r, exponent)));
       }
       for(int h = 3 * f; h < 3 * f + 3; ++h)
-        if(m_mesh.opposite[h] != -1 && !m_is_aligned[m_mesh.edge_of[h]])
-          reached(m_mesh.opposite[h] / 3);
+        if(s.mesh.opposite[h] != -1 && !s.is_aligned[s.mesh.edge_of[h]])
+          reached(s.mesh.opposite[h] / 3);
     }
   }
 
-  double distance(int v, int f) const
+  static double distance(const Indexed_triangle_mesh& m, int v, int f)
   {
-    const auto& c = m_mesh.corners[f];
-    return std::sqrt((CGAL::centroid(m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]]) - m_mesh.points[v])
-                       .squared_length());
+    const auto& c = m.corners[f];
+    return std::sqrt((CGAL::centroid(m.points[c[0]], m.points[c[1]], m.points[c[2]]) - m.points[v]).squared_length());
   }
 };
 

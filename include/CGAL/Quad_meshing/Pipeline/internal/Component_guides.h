@@ -17,7 +17,6 @@
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/squared_distance_3.h>
@@ -377,7 +376,7 @@ public:
 
 private:
   typedef AABB_tree<Aabb_traits<Quadrangulation_kernel,
-                                AABB_segment_primitive<Quadrangulation_kernel, std::vector<Segment_3>::const_iterator>>>
+                                Aabb_segment_primitive<Quadrangulation_kernel, std::vector<Segment_3>::const_iterator>>>
     Tree;
 
   std::vector<Segment_3> m_segments;

@@ -15,7 +15,6 @@
 #include <CGAL/Quad_meshing/internal/Reference_surface.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 
-#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_tree.h>
 
 #include <cstddef>
@@ -141,7 +140,7 @@ public:
 
 private:
   typedef AABB_tree<Aabb_traits<Quadrangulation_kernel,
-                                AABB_segment_primitive<Quadrangulation_kernel, std::vector<Segment_3>::const_iterator>>>
+                                Aabb_segment_primitive<Quadrangulation_kernel, std::vector<Segment_3>::const_iterator>>>
     Curve_tree;
 
   int hint(Mesh::Face_index f) const { return static_cast<int>(m_surface->origin[f]); }
