@@ -22,6 +22,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -64,6 +65,14 @@ namespace Quad_meshing {
  *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
  *     \cgalParamDefault{`target_edge_length` everywhere}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{minimum_anisotropy}
+ *     \cgalParamDescription{the relative difference of the absolute principal curvatures from which on a direction is
+ *       reliable: weights are areas then, and nothing lies between reliable directions and none. Besides, the larger
+ *       curvature has to be at least a tenth of that of the sphere around the model, and disks have to agree within 10
+ *       degrees.}
+ *     \cgalParamType{`double`, from 0 to 1}
+ *     \cgalParamDefault{reliability rises from an anisotropy of 0.5 to one of 0.9}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
  *     \cgalParamDefault{`Default_visitor`}
@@ -103,8 +112,8 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
 
   constexpr bool takes_parameters =
     internal::Takes_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
-                               internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                               internal_np::face_index_t>::value;
+                               internal_np::minimum_anisotropy_t, internal_np::visitor_t, internal_np::vertex_point_t,
+                               internal_np::vertex_index_t, internal_np::face_index_t>::value;
   static_assert(takes_parameters, "curvature_directions() does not take one of the named parameters.");
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The value type of the map of directions must be an optional vector, such as std::optional<Vector_3>.");
@@ -135,8 +144,11 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
     for(auto f : faces(tm))
       lengths[get(fim, f)] = to_double(get(get_parameter(np, internal_np::face_sizing_map), f));
   }
-  result =
-    internal::find_curvature_directions(mesh, target_edge_length, lengths, features, any_visitor, directions, weights);
+  std::optional<double> minimum_anisotropy;
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::minimum_anisotropy_t>::value)
+    minimum_anisotropy = get_parameter(np, internal_np::minimum_anisotropy);
+  result = internal::find_curvature_directions(mesh, target_edge_length, lengths, features, minimum_anisotropy,
+                                               any_visitor, directions, weights);
   if(!result.is_valid())
     return result;
   for(auto f : faces(tm))
