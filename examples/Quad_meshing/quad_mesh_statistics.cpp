@@ -11,7 +11,9 @@
 
 #include "command_line.h"
 #include "scene_files.h"
+#include "triangle_input.h"
 
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
@@ -24,6 +26,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdio>
+#include <optional>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
@@ -147,13 +150,33 @@ void report_quality(const Mesh& qm, Report& r, int number_of_worst)
   r.add("worst_quads", worst, "quads of smallest scaled Jacobian");
 }
 
-void report_deviation(const Mesh& qm, Mesh& tm, double sharp_angle, Report& r)
+typedef std::vector<std::optional<Kernel::Vector_3>> Directions;
+
+// The principal directions of a surface, where they are reliable at the size of the quads (thesis 8.1).
+template <typename EdgeIsSharp>
+Directions principal_directions(const Mesh& tm, EdgeIsSharp is_sharp, double edge_length)
+{
+  Directions direction(tm.number_of_faces());
+  std::vector<double> weight(tm.number_of_faces());
+  const auto face_index = get(boost::face_index, tm);
+  QM::curvature_directions(tm, edge_length, boost::make_iterator_property_map(direction.begin(), face_index),
+                           boost::make_iterator_property_map(weight.begin(), face_index),
+                           CGAL::parameters::minimum_anisotropy(0.8).edge_is_constrained_map(is_sharp));
+  return direction;
+}
+
+void report_deviation(const Mesh& qm, Mesh& tm, double sharp_angle, Directions direction, Report& r)
 {
   auto is_sharp = tm.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   if(sharp_angle < 180)
     PMP::detect_sharp_edges(tm, sharp_angle, is_sharp);
-  const QM::Quad_mesh_deviation d = QM::quad_mesh_deviation(qm, tm, CGAL::parameters::default_values(),
-                                                            CGAL::parameters::edge_is_constrained_map(is_sharp));
+  if(direction.empty())
+    direction = principal_directions(tm, is_sharp, QM::quad_mesh_quality(qm).mean_edge_length);
+  const QM::Quad_mesh_deviation d =
+    QM::quad_mesh_deviation(qm, tm, CGAL::parameters::default_values(),
+                            CGAL::parameters::face_direction_map(
+                              boost::make_iterator_property_map(direction.begin(), get(boost::face_index, tm)))
+                              .edge_is_constrained_map(is_sharp));
   r.title("Against the reference (distances over the diagonal of its bounding box)");
   r.add("distance_to_reference_max", d.quads_to_reference_max, "quads to reference, largest");
   r.add("distance_to_reference_rms", d.quads_to_reference_rms, "quads to reference, root mean square");
@@ -164,6 +187,12 @@ void report_deviation(const Mesh& qm, Mesh& tm, double sharp_angle, Report& r)
   r.add("sharp_kept", d.features_kept, "share of that length on quad edges");
   r.add("boundary_length", d.boundary_length, "length of the boundary in mean quad edges");
   r.add("boundary_kept", d.boundary_kept, "share of that length on boundary edges");
+
+  r.title("Orientation (degrees between quad edges and the directions of the reference, 0 to 45)");
+  r.add("oriented_edges", d.oriented_edges, "edges where the reference has a direction");
+  r.add("orientation_deviation_mean", d.orientation_deviation_mean, "mean deviation");
+  r.add("orientation_over_15", d.orientation_over_15, "share of edges over 15");
+  r.add("orientation_histogram", histogram(d.orientation_histogram), "edges per five degrees");
 }
 
 // What the page shows: the quads, or the faces as they are, and the reference.
@@ -201,8 +230,11 @@ int main(int argc, char* argv[])
       po::options_description options("Options");
       options.add_options()("reference", po::value<std::string>(),
                             "triangle mesh that the quad mesh stands for: adds distances and kept features")(
-        "sharp-angle", po::value<double>()->default_value(40),
-        "edges of the reference with a larger angle between normals are sharp (degrees)")(
+        "directions", po::value<std::string>(),
+        "file .rosy with a direction for each face of the reference, to compare the edges with; otherwise those in "
+        "which "
+        "the reference bends")("sharp-angle", po::value<double>()->default_value(40),
+                               "edges of the reference with a larger angle between normals are sharp (degrees)")(
         "worst", po::value<long long>()->default_value(10), "number of worst quads to list")(
         "json", po::value<std::string>(), "file for the figures as one flat JSON object");
       command_line::add_scene_options(options);
@@ -235,15 +267,22 @@ int main(int argc, char* argv[])
       report.add("isolated_vertices", defects.isolated_vertices, "vertices without a face");
 
       Mesh qm, reference;
+      Directions directions;
       if(args.has("reference"))
-        reference = command_line::read_mesh<Mesh>(args.value<std::string>("reference"));
+      {
+        QM::Mesh_reading_result reading;
+        reference = command_line::read_mesh<Mesh>(args.value<std::string>("reference"), reading);
+        if(args.has("directions"))
+          directions =
+            command_line::read_directions<Kernel::Vector_3>(args.value<std::string>("directions"), reading.faces);
+      }
       if(is_pure)
       {
         PMP::polygon_soup_to_polygon_mesh(points, polygons, qm);
         report_structure(qm, report);
         report_quality(qm, report, number_of_worst);
         if(args.has("reference"))
-          report_deviation(qm, reference, sharp_angle, report);
+          report_deviation(qm, reference, sharp_angle, directions, report);
       }
       if(command_line::shows_scene(args))
         write_page(args, report, qm, reference, points, polygons);

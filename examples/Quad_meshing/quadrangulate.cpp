@@ -133,6 +133,7 @@ int main(int argc, char* argv[])
         "rounding", po::value<std::string>()->default_value("greedy"),
         "direct, greedy or lattice: how integers are found")(
         "optimize-structure", "make the base complex coarser: fewer patches with the same irregular vertices")(
+        "smoothing", po::value<long long>()->default_value(20), "steps of the smoothing in the end; 0: none")(
         "semi-regular", "optimize the structure, then make the quads anew on IN along the base complex")(
         "seed", po::value<long long>()->default_value(0),
         "seed of the edge lengths that are tried when the given one allows no valid map")(
@@ -213,6 +214,8 @@ int main(int argc, char* argv[])
       q.options.rounding_method = rounding;
       q.options.optimize_structure = args.has("optimize-structure");
       q.options.semi_regular = args.has("semi-regular");
+      q.options.smoothing_iterations =
+        static_cast<unsigned int>(args.whole_number("smoothing", 0, (std::numeric_limits<int>::max)()));
       q.options.number_of_threads = args.number_of_threads();
       q.options.random_seed = args.random_seed();
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Quad_meshing/Smoothing/internal/Corner_energy.h>
 #include <CGAL/Quad_meshing/Smoothing/internal/Rectangle_energy.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Side_turn_energy.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 
 #include <CGAL/Random.h>
@@ -24,9 +25,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace QM = CGAL::Quad_meshing;
 namespace SM = structure_meshes;
@@ -227,6 +231,123 @@ void test_rectangle_energy()
   }
 }
 
+// The energy of a side: what the documentation says, and its derivatives against finite differences.
+void test_side_turn_energy()
+{
+  typedef QM::internal::Side_turn_energy Side_turn_energy;
+  const double quarter_turn = std::acos(-1.) / 2;
+  auto at = [](double psi, double length) { return Side_turn_energy(length * std::cos(psi), length * std::sin(psi)); };
+  CGAL::Random random(11);
+  for(int i = 0; i < 200; ++i)
+  {
+    const double psi = random.get_double(-3, 3), length = random.get_double(0.1, 10);
+    const double value = at(psi, length).value();
+    assert(agree(value, (1 - std::cos(4 * psi)) / 16, 1, 1e-12));
+    assert(agree(value, at(psi + quarter_turn, 1).value(), 1, 1e-12));
+    const double h = 1e-4, before = at(psi - h, length).value(), after = at(psi + h, length).value();
+    assert(agree(at(psi, length).slope(), (after - before) / (2 * h), 1));
+    assert(agree(at(psi, length).curvature(), (std::max)((after - 2 * value + before) / (h * h), 0.), 1));
+  }
+  // near zero, half the square of the angle
+  assert(agree(at(0.01, 1).value(), 0.00005, 1, 1e-8));
+  assert(Side_turn_energy(0, 0).value() == 0);
+
+  // A vertex that moves: the gradient along both directions.
+  for(int i = 0; i < 200; ++i)
+  {
+    auto some = [&] { return random.get_double(-1, 1); };
+    const Vector_3 u(1, 0, 0), w(0, 1, 0), along(std::cos(i), std::sin(i), 0), across(-std::sin(i), std::cos(i), 0);
+    const Point_3 other(some(), some(), some()), p(some() + 2, some(), some());
+    auto model = [&](double x, double y)
+    {
+      Corner_energy_model m(u, w);
+      m.add_side(other - (p + x * u + y * w), along, across, 3);
+      return m;
+    };
+    const std::array<double, 2> gradient = model(0, 0).gradient();
+    assert(agree(gradient[0], (model(step, 0).value() - model(-step, 0).value()) / (2 * step), 3));
+    assert(agree(gradient[1], (model(0, step).value() - model(0, -step).value()) / (2 * step), 3));
+  }
+}
+
+typedef std::optional<SM::Kernel::Vector_3> Optional_direction;
+
+// A plate of n x n quads, and a cross field on it that is turned by up to 15 degrees in the middle.
+struct Turned_plate
+{
+  const int n = 16;
+  const double pi = std::acos(-1.);
+  Mesh quads, triangles;
+  std::vector<Optional_direction> direction; // per triangle
+
+  Turned_plate() : quads(SM::make_mesh(SM::grid(n, n)))
+  {
+    SM::Quad_soup fine = SM::grid(3 * n, 3 * n);
+    for(SM::Point_3& p : fine.points)
+      p = SM::Point_3(p.x() / 3, p.y() / 3, 0);
+    triangles = SM::triangulated(fine);
+    for(Mesh::Face_index f : triangles.faces())
+    {
+      const Mesh::Halfedge_index h = triangles.halfedge(f);
+      const double a = angle(CGAL::centroid(triangles.point(triangles.source(h)), triangles.point(triangles.target(h)),
+                                            triangles.point(triangles.target(triangles.next(h)))));
+      // one of the two in turn: they stand for each other
+      const bool is_second = std::size_t(f) % 2 == 0;
+      direction.push_back(is_second ? SM::Kernel::Vector_3(-std::sin(a), std::cos(a), 0)
+                                    : SM::Kernel::Vector_3(std::cos(a), std::sin(a), 0));
+    }
+  }
+
+  double angle(const SM::Point_3& p) const { return pi / 12 * std::sin(pi * p.x() / n) * std::sin(pi * p.y() / n); }
+
+  // Of the edges from the field, on average, in degrees.
+  double deviation(const Mesh& qm) const
+  {
+    double sum = 0;
+    for(Mesh::Edge_index e : qm.edges())
+    {
+      const SM::Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));
+      const double turn = std::atan2(q.y() - p.y(), q.x() - p.x()) - angle(CGAL::midpoint(p, q));
+      sum += std::abs(turn - pi / 2 * std::round(turn / (pi / 2))) * 180 / pi;
+    }
+    return sum / qm.number_of_edges();
+  }
+};
+
+// Quads turn to the directions that are wanted, up to quarter turns, the more these count; not at all with weight 0.
+void test_directions()
+{
+  const Turned_plate plate;
+  const auto direction =
+    boost::make_iterator_property_map(plate.direction.begin(), get(boost::face_index, plate.triangles));
+  typedef CGAL::Constant_property_map<Mesh::Face_index, double> Weight;
+  for(bool globally : { false, true })
+  {
+    const auto np = CGAL::parameters::smooth_globally(globally).smoothing_iterations(60u);
+    auto smoothed = [&](double weight)
+    {
+      Mesh qm = plate.quads;
+      const auto r =
+        QM::smooth_quad_mesh(qm, plate.triangles, np,
+                             CGAL::parameters::face_direction_map(direction).face_direction_weight_map(Weight(weight)));
+      assert(r.is_valid() && r.folded_quads_after == 0);
+      return qm;
+    };
+    Mesh without = plate.quads, by_default = plate.quads;
+    QM::smooth_quad_mesh(without, plate.triangles, np);
+    QM::smooth_quad_mesh(by_default, plate.triangles, np, CGAL::parameters::face_direction_map(direction));
+    const Mesh ignored = smoothed(0), with = smoothed(1), strictly = smoothed(10);
+    std::cout << "  " << (globally ? "all at once: " : "one by one: ") << plate.deviation(without)
+              << " degrees from the field without it, " << plate.deviation(with) << " with weight 1, "
+              << plate.deviation(strictly) << " with weight 10" << std::endl;
+    assert(plate.deviation(without) > 5);
+    assert(plate.deviation(with) < 0.95 * plate.deviation(without));
+    assert(plate.deviation(strictly) < 0.5 * plate.deviation(without));
+    assert(std::equal(without.points().begin(), without.points().end(), ignored.points().begin()));
+    assert(std::equal(with.points().begin(), with.points().end(), by_default.points().begin()));
+  }
+}
+
 SM::Quad_soup shaken(SM::Quad_soup soup, double amount, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -234,6 +355,31 @@ SM::Quad_soup shaken(SM::Quad_soup soup, double amount, unsigned int seed)
   for(SM::Point_3& p : soup.points)
     p = p + SM::Kernel::Vector_3(some(), some(), some());
   return soup;
+}
+
+// A quad in a triangle, one of whose vertices lies on the middle of a side, has no room there: the result names it, if
+// the vertex cannot move.
+void test_flat_corners()
+{
+  SM::Quad_soup soup;
+  soup.points = { SM::Point_3(0, 0, 0), SM::Point_3(1, 0, 0), SM::Point_3(2, 0, 0), SM::Point_3(1, 1, 0) };
+  soup.quads = { { { 0, 1, 2, 3 } } };
+  for(bool is_fixed : { false, true })
+  {
+    Mesh qm = SM::make_mesh(soup);
+    const Mesh reference = SM::triangulated(soup);
+    const auto r = QM::smooth_quad_mesh(qm, reference,
+                                        CGAL::parameters::smoothing_iterations(5u).vertex_is_constrained_map(
+                                          CGAL::Constant_property_map<Mesh::Vertex_index, bool>(is_fixed)));
+    std::cout << "  " << r.message << std::endl;
+    assert(r.status == Status::SUCCESS);
+    if(!is_fixed)
+      continue;
+    assert(r.folded_quads_after == 1 && r.flat_corners == std::vector<std::size_t>(1, 1));
+    assert(r.message.find("at vertex 1") != std::string::npos);
+  }
+  Mesh sphere = SM::make_mesh(shaken(SM::sphere(12), 0.02, 4));
+  assert(QM::smooth_quad_mesh(sphere).flat_corners.empty());
 }
 
 // A visitor that says stop ends the call soon, wherever it is, and the mesh is as it was; until then the progress moves
@@ -306,6 +452,9 @@ int main(int argc, char** argv)
                    { { "corner_energy", test_corner_energy },
                      { "least_energy", test_least_energy },
                      { "rectangle_energy", test_rectangle_energy },
+                     { "side_turn_energy", test_side_turn_energy },
+                     { "directions", test_directions },
+                     { "flat_corners", test_flat_corners },
                      { "stop", test_stop },
                      { "iterations", test_iterations },
                      { "status_names", test_status_names } });

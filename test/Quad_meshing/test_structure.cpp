@@ -25,10 +25,15 @@
 #include <CGAL/Random.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -426,6 +431,63 @@ void test_features_under_smoothing(bool globally)
                   1));
 }
 
+// Orientation of quads on a cylinder whose edges are turned against its rulings by a known angle.
+void test_orientation()
+{
+  std::cout << "orientation" << std::endl;
+  const double pi = std::acos(-1.);
+  const int n = 40, m = 20;
+  typedef std::optional<SM::Kernel::Vector_3> Optional_direction;
+  for(double degrees : { 0., 3., 17., 44. })
+  {
+    // A square grid wound around a cylinder of large radius: the faces are nearly flat.
+    SM::Quad_soup soup = SM::grid(n, m);
+    const double radius = 1000, a = degrees * pi / 180;
+    for(Point_3& p : soup.points)
+    {
+      const double x = std::cos(a) * p.x() - std::sin(a) * p.y(), y = std::sin(a) * p.x() + std::cos(a) * p.y();
+      p = Point_3(radius * std::sin(x / radius), y, radius * std::cos(x / radius));
+    }
+    const Mesh qm = SM::make_mesh(soup), tm = SM::triangulated(soup);
+    // Rulings and circles in turn, on a part of the faces: edges nearby count alike.
+    std::vector<Optional_direction> direction;
+    for(Mesh::Face_index f : tm.faces())
+    {
+      const Point_3& p = tm.point(tm.target(tm.halfedge(f)));
+      direction.emplace_back();
+      if(std::size_t(f) % 3 == 0)
+        direction.back() = SM::Kernel::Vector_3(0, 1, 0);
+      else if(std::size_t(f) % 3 == 1)
+        direction.back() = SM::Kernel::Vector_3(p.z(), 0, -p.x());
+    }
+    auto deviation = [&]
+    {
+      return QM::quad_mesh_deviation(qm, tm, CGAL::parameters::default_values(),
+                                     CGAL::parameters::face_direction_map(boost::make_iterator_property_map(
+                                       direction.begin(), get(boost::face_index, tm))));
+    };
+    const QM::Quad_mesh_deviation d = deviation();
+    std::cout << "  turned by " << degrees << ": mean " << d.orientation_deviation_mean << " of " << d.oriented_edges
+              << " edges" << std::endl;
+    assert(d.oriented_edges == qm.number_of_edges());
+    assert(std::abs(d.orientation_deviation_mean - degrees) < 0.1);
+    assert(d.orientation_over_15 == (degrees > 15 ? 1 : 0));
+    assert(std::accumulate(d.orientation_histogram.begin(), d.orientation_histogram.end(), std::size_t(0)) ==
+           d.oriented_edges);
+    if(degrees > 0)
+      assert(d.orientation_histogram[static_cast<std::size_t>(degrees / 5)] == d.oriented_edges);
+
+    // Far from all directions, edges do not count; without any, none does.
+    for(Mesh::Face_index f : tm.faces())
+      if(std::size_t(f) > 0)
+        direction[f] = Optional_direction();
+    direction[0] = SM::Kernel::Vector_3(0, 1, 0);
+    assert(deviation().oriented_edges > 2 && deviation().oriented_edges < 20);
+    direction[0] = Optional_direction();
+    assert(deviation().oriented_edges == 0 && deviation().orientation_deviation_mean == 0);
+  }
+}
+
 void test_smoothing()
 {
   std::cout << "smoothing" << std::endl;
@@ -620,6 +682,7 @@ int main(int argc, char** argv)
                      { "defects", test_defects },
                      { "structure", test_structure },
                      { "minimal_helices", test_minimal_helices },
+                     { "orientation", test_orientation },
                      { "smoothing", test_smoothing },
                      { "global_smoothing", test_global_smoothing } });
 }

@@ -21,6 +21,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <boost/property_map/property_map.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +63,14 @@ namespace Quad_meshing {
  *     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key and `double` as value type}
  *     \cgalParamDefault{`target_edge_length` everywhere}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{minimum_anisotropy}
+ *     \cgalParamDescription{the relative difference of the absolute principal curvatures from which on a direction is
+ *       reliable: weights are areas then, and nothing lies between reliable directions and none. Besides, the larger
+ *       curvature has to be at least a tenth of that of the sphere around the model, and disks have to agree within 10
+ *       degrees.}
+ *     \cgalParamType{`double`, from 0 to 1}
+ *     \cgalParamDefault{reliability rises from an anisotropy of 0.5 to one of 0.9}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and may stop them, see `Default_visitor`; pass it by `std::ref`}
  *     \cgalParamDefault{`Default_visitor`}
@@ -92,8 +101,8 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
   typedef typename boost::property_traits<FaceDirectionMap>::value_type Optional_direction;
 
   internal::check_parameters<NamedParameters, internal_np::edge_is_constrained_t, internal_np::face_sizing_map_t,
-                             internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t,
-                             internal_np::face_index_t>();
+                             internal_np::minimum_anisotropy_t, internal_np::visitor_t, internal_np::vertex_point_t,
+                             internal_np::vertex_index_t, internal_np::face_index_t>();
   static_assert(internal::Is_optional_like<Optional_direction>::value,
                 "The value type of the map of directions must be an optional vector, such as std::optional<Vector_3>.");
 
@@ -104,9 +113,12 @@ Curvature_guide_result curvature_directions(const TriangleMesh& tm, double targe
   internal::Named_visitor<NamedParameters> visitor(np);
   std::vector<internal::Indexed_triangle_mesh::Vector_3> directions;
   std::vector<double> weights;
-  result =
-    internal::find_curvature_directions(mesh, target_edge_length, internal::face_lengths(tm, mesh.corners.size(), np),
-                                        internal::constrained_edges(tm, np), visitor, directions, weights);
+  std::optional<double> minimum_anisotropy;
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::minimum_anisotropy_t>::value)
+    minimum_anisotropy = parameters::get_parameter(np, internal_np::minimum_anisotropy);
+  result = internal::find_curvature_directions(
+    mesh, target_edge_length, internal::face_lengths(tm, mesh.corners.size(), np), internal::constrained_edges(tm, np),
+    minimum_anisotropy, visitor, directions, weights);
   if(!result.is_valid())
     return result;
   const auto fim = internal::face_numbers(tm, np);

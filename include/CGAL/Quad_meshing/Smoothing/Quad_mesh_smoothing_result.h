@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -32,9 +33,12 @@ struct Quad_mesh_smoothing_result
   std::string message;                                 ///< the outcome as a sentence
   std::size_t folded_quads_before = 0;                 ///< number of folded quads in the input
   std::size_t folded_quads_after = 0;                  ///< number of folded quads in the output
-  Quad_mesh_quality quality_before;                    ///< measures of the input
-  Quad_mesh_quality quality_after;                     ///< measures of the output
-  unsigned int iterations = 0; ///< number of sweeps over the vertices, and of steps of all together
+  /// vertices that cannot move, at which two curves of the reference leave a folded quad an angle of 0 or 180 degrees:
+  /// that quad cannot be unfolded. By number, in the order of the vertices of the mesh.
+  std::vector<std::size_t> flat_corners;
+  Quad_mesh_quality quality_before; ///< measures of the input
+  Quad_mesh_quality quality_after;  ///< measures of the output
+  unsigned int iterations = 0;      ///< number of sweeps over the vertices, and of steps of all together
 
   /// whether the mesh has been smoothed and no quad is folded.
   bool is_valid() const { return status == Quad_mesh_status::SUCCESS && folded_quads_after == 0; }

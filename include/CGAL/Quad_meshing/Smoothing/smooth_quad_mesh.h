@@ -85,6 +85,9 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
  * are first unfolded with the energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov: *Foldover-free maps in
  * 50 lines of code*, ACM TOG 40(4), 2021. That needs no valid start and mostly succeeds, but is not guaranteed to.
  *
+ * Where directions are given, each side of a quad pays for its angle to the direction at the middle of the quad, up to
+ * quarter turns, and at most as much as for an angle of 45 degrees: quads keep the orientation of a cross field.
+ *
  * Vertex by vertex, a mesh gets well shaped where it has to move by a few quads. With `smooth_globally`, all vertices
  * are moved at once by steps of Newton's method, as long as they help: they can go all over the surface. Corners are to
  * be right angles first then, and quads may become rectangles. Quads with scaled Jacobians below 0.5 do not become
@@ -158,6 +161,21 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
  *     \cgalParamDefault{quads aim at the areas of their neighbors}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_direction_map}
+ *     \cgalParamDescription{for some faces of `tm`, a direction in their plane that the sides of quads there should
+ *       have, up to quarter turns}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an optional vector, such as
+ *                    `std::optional<Vector_3>`, as value type}
+ *     \cgalParamDefault{quads may turn as they like}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_direction_weight_map}
+ *     \cgalParamDescription{how much that direction counts: with 1, a deviation of a side costs as much as the same
+ *       deviation of an angle from a right angle}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
+ *     \cgalParamDefault{`1`}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \return what was done, with the measures before and after
@@ -175,8 +193,9 @@ Quad_mesh_smoothing_result smooth_quad_mesh(QuadMesh& qm, const TriangleMesh& tm
     qm, np_qm,
     [&](const internal::Indexed_quad_mesh& m)
     {
-      return internal::Smoothing_reference(m,
-                                           internal::make_indexed_reference<internal_np::face_sizing_map_t>(tm, np_tm));
+      return internal::Smoothing_reference(
+        m, internal::make_indexed_reference<internal_np::face_sizing_map_t, internal_np::face_direction_map_t,
+                                            internal_np::face_direction_weight_map_t>(tm, np_tm));
     });
 }
 

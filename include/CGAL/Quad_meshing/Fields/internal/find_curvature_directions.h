@@ -14,6 +14,7 @@
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -21,12 +22,12 @@ namespace Quad_meshing {
 namespace internal {
 
 // The directions in which the surface bends least, of length one, in some faces, and their weights; see
-// `curvature_directions()`. `is_feature` has a value per edge, `face_length`
-// the target edge length per face, or nothing where it is the same everywhere.
+// `curvature_directions()`. `is_feature` has a value per edge, `face_length` the target edge length per face, or
+// nothing where it is the same everywhere.
 CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
   const Indexed_triangle_mesh& mesh, double target_edge_length, const std::vector<double>& face_length,
-  const std::vector<char>& is_feature, Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction,
-  std::vector<double>& weight);
+  const std::vector<char>& is_feature, std::optional<double> minimum_anisotropy, Any_visitor& visitor,
+  std::vector<Indexed_triangle_mesh::Vector_3>& direction, std::vector<double>& weight);
 
 } // namespace internal
 } // namespace Quad_meshing

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,11 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Rises from 0 to 1 between two values, without a corner.
+// Rises from 0 to 1 between two values, without a corner, or jumps if they are one.
 inline double smooth_step(double x, double from, double to)
 {
+  if(from == to)
+    return x < to ? 0 : 1;
   const double t = (std::min)(1., (std::max)(0., (x - from) / (to - from)));
   return t * t * (3 - 2 * t);
 }
@@ -39,8 +42,13 @@ class Curvature_directions
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
 public:
-  Curvature_directions(const Indexed_triangle_mesh& m, const std::vector<char>& is_feature) : m_operators(m, is_feature)
+  // With a least anisotropy, directions are reliable or not, and nothing between: by the limits of the thesis.
+  Curvature_directions(const Indexed_triangle_mesh& m, const std::vector<char>& is_feature,
+                       std::optional<double> minimum_anisotropy)
+    : m_operators(m, is_feature)
   {
+    if(minimum_anisotropy)
+      m_limits = { *minimum_anisotropy, *minimum_anisotropy, 0.1, 0.1, CGAL_PI / 18, CGAL_PI / 18 };
     Bbox_3 box;
     for(const auto& p : m.points)
       box += p.bbox();
@@ -64,7 +72,8 @@ public:
         validity = (std::min)(validity, reliability_of(s[j]));
         deviation = (std::max)(deviation, between_axes(s[i].angle, s[j].angle));
       }
-      const double reliability = validity * (1 - smooth_step(deviation, 0, largest_deviation));
+      const double reliability =
+        validity * (1 - smooth_step(deviation, m_limits.small_deviation, m_limits.largest_deviation));
       if(reliability > best)
       {
         best = reliability;
@@ -79,31 +88,37 @@ private:
   // elsewhere. An interval has three radii, a quarter of an edge length together, as in the thesis.
   static constexpr double smallest_radius = 0.75, step = 0.125;
   static constexpr int number_of_radii = 5;
-  // The relative anisotropy from which on a direction counts at all, and from which on fully; the thesis has one limit,
-  // 0.8.
-  static constexpr double least_anisotropy = 0.5, full_anisotropy = 0.9;
-  // The same for the curvature, in units of that of the sphere around the model; the thesis has one limit, 0.1.
-  static constexpr double least_curvature = 0.05, full_curvature = 0.2;
-  // Directions of an interval that differ by more, in radians, say nothing: 15 degrees.
-  static constexpr double largest_deviation = CGAL_PI / 12;
+  // From where to where directions become reliable.
+  struct Limits
+  {
+    // The relative anisotropy from which on a direction counts at all, and from which on fully; the thesis has one
+    // limit, 0.8.
+    double least_anisotropy = 0.5, full_anisotropy = 0.9;
+    // The same for the curvature, in units of that of the sphere around the model; the thesis has one limit, 0.1.
+    double least_curvature = 0.05, full_curvature = 0.2;
+    // How much directions of an interval may differ to count fully, and at all, in radians: 15 degrees. With one limit,
+    // 10 degrees.
+    double small_deviation = 0, largest_deviation = CGAL_PI / 12;
+  };
 
   double reliability_of(const Shape_operator& s) const
   {
-    return smooth_step(s.anisotropy(), least_anisotropy, full_anisotropy) *
-           smooth_step(std::abs(s.maximum) * m_model_radius, least_curvature, full_curvature);
+    return smooth_step(s.anisotropy(), m_limits.least_anisotropy, m_limits.full_anisotropy) *
+           smooth_step(std::abs(s.maximum) * m_model_radius, m_limits.least_curvature, m_limits.full_curvature);
   }
 
   static double between_axes(double a, double b) { return std::abs(a - b - CGAL_PI * std::round((a - b) / CGAL_PI)); }
 
   Shape_operators m_operators;
+  Limits m_limits;
   double m_model_radius;
   std::vector<double> m_radii;
 };
 
 CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
   const Indexed_triangle_mesh& m, double target_edge_length, const std::vector<double>& face_length,
-  const std::vector<char>& is_feature, Any_visitor& visitor, std::vector<Indexed_triangle_mesh::Vector_3>& direction,
-  std::vector<double>& weight)
+  const std::vector<char>& is_feature, std::optional<double> minimum_anisotropy, Any_visitor& visitor,
+  std::vector<Indexed_triangle_mesh::Vector_3>& direction, std::vector<double>& weight)
 {
   auto length = [&](int f) { return face_length.empty() ? target_edge_length : face_length[f]; };
   auto is_length = [](double l) { return l > 0 && std::isfinite(l); };
@@ -119,7 +134,7 @@ CGAL_QUAD_MESHING_INLINE Curvature_guide_result find_curvature_directions(
   // So many per quad are enough for the field.
   const double samples_per_quad = 8;
   double quads = 0; // that the next sample speaks for
-  Curvature_directions directions(m, is_feature);
+  Curvature_directions directions(m, is_feature, minimum_anisotropy);
   Curvature_guide_result result;
   for(int f = 0; f < m.number_of_faces(); ++f)
   {

@@ -67,9 +67,8 @@ public:
   {
   }
 
-  // How much more the map counts on a stroke than elsewhere, and from which importance on the smoothing leaves vertices
-  // alone, as it would turn the quads away from the stroke: within a length of a quad.
-  static constexpr double largest_importance = 50, fixed_importance = 25;
+  // How much more the map counts on a stroke than elsewhere.
+  static constexpr double largest_importance = 50;
 
   std::vector<std::string> unmet; // guides that cannot be met, see `Quadrangulation_result`
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 
+#include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 #include <CGAL/Quad_meshing/Structure/optimize_quad_structure.h>
+#include <CGAL/Quad_meshing/internal/Indexed_reference.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
 #include <CGAL/Quad_meshing/internal/surface_topology.h>
 
@@ -35,6 +37,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,6 +117,14 @@ private:
   // surface and singularities more: on a rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7
   // and 46 with 3.
   static constexpr double weight_of_alignment = 1;
+
+  // What a direction of the field counts for the smoothing, where weight one makes a deviation from it as bad as one
+  // from a right angle: everywhere, what a reliable direction of curvature adds, and a unit of importance near strokes.
+  // On a rocker arm at 4000 quads, edges are 7.1 degrees from the directions of curvature before the smoothing, 8.2
+  // after it without any weights and 7.1 with these; corners deviate by 1.8 and 2.0 degrees from right angles. Weights
+  // three times as large come to 6.5 and 2.5. Along a stroke across it, quads are 4.7 degrees off before the smoothing,
+  // and with these weights 3.5 after it.
+  static constexpr double weight_of_field = 0.1, weight_of_reliable_directions = 1, weight_of_importance = 4;
 
   bool prepare()
   {
@@ -210,18 +221,16 @@ private:
     if(quads)
     {
       find_fixed_vertices(directions);
+      keep_directions(directions);
       m_work.move_to_input(*quads);
     }
     return quads != nullptr;
   }
 
-  // Irregular vertices that the user has placed, nodes of curves, and what is next to strokes stay where they are.
+  // Irregular vertices that the user has placed, and nodes of curves, stay where they are.
   void find_fixed_vertices(const Grid_map_search::Directions& d)
   {
     m_fixed.assign(quads->mesh.number_of_vertices(), 0);
-    if(!d.importance.empty())
-      for(Mesh::Vertex_index v : quads->mesh.vertices())
-        m_fixed[v] = d.importance[quads->location[v].first] >= Component_guides::fixed_importance;
     for(Mesh::Vertex_index v : m_surface->mesh.vertices())
     {
       const bool is_placed = !d.index.empty() && d.index[v] && *d.index[v] != 0 && m_surface->index[v] == *d.index[v];
@@ -234,6 +243,48 @@ private:
       };
       m_fixed[*std::min_element(quads->mesh.vertices().begin(), quads->mesh.vertices().end(), is_nearer)] = 1;
     }
+  }
+
+  // What the smoothing is told: the directions of the field, and how much they count.
+  void keep_directions(const Grid_map_search::Directions& d)
+  {
+    const Mesh& mesh = m_surface->mesh;
+    m_smoothed_directions = Indexed_directions();
+    m_smoothed_directions.mesh = make_indexed_triangle_mesh(mesh, parameters::default_values());
+    std::vector<double> quads; // per face: its area
+    for(Mesh::Face_index f : mesh.faces())
+    {
+      const Mesh::Halfedge_index h = mesh.halfedge(f);
+      quads.push_back(std::sqrt(squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                             mesh.point(mesh.target(mesh.next(h))))) /
+                      square(m_surface->length[f]));
+    }
+    for(Mesh::Face_index f : mesh.faces())
+    {
+      // Where triangles are small, some speak for their neighbors.
+      double weight = d.weight[f], area = quads[f];
+      for(Mesh::Face_index g : mesh.faces_around_face(mesh.halfedge(f)))
+        if(g != Mesh::null_face())
+        {
+          weight += d.weight[g];
+          area += quads[g];
+        }
+      const double reliability = area > 0 ? (std::min)(1., weight / area) : 0;
+      const double importance = d.importance.empty() ? 0 : d.importance[f] - 1;
+      m_smoothed_directions.weight.push_back(weight_of_field + weight_of_reliable_directions * reliability +
+                                             weight_of_importance * importance);
+      const Quadrangulation_kernel::Vector_3 v = cross_field_direction(f, mesh, m_surface->angle);
+      m_smoothed_directions.direction.push_back(Indexed_triangle_mesh::Vector_3(v.x(), v.y(), v.z()));
+    }
+  }
+
+  // The input, with these directions.
+  template <typename NamedParameters>
+  Indexed_reference smoothing_reference(const NamedParameters& np) const
+  {
+    Indexed_reference reference = make_indexed_reference<internal_np::face_sizing_map_t>(m_work.input().mesh, np);
+    reference.directions = m_smoothed_directions;
+    return reference;
   }
 
   // Before there is a mesh.
@@ -327,16 +378,32 @@ private:
                             .smoothing_iterations(m_options.smoothing_iterations)
                             .visitor(std::ref(m_visitor));
     const Quadrangulation_surface& input = m_work.input();
-    const Quad_mesh_smoothing_result smoothing =
-      m_request.is_graded
-        ? smooth_quad_mesh(quads->mesh, input.mesh, of_quads,
-                           parameters::face_sizing_map(input.length).edge_is_constrained_map(input.is_feature))
-        : smooth_quad_mesh(quads->mesh, input.mesh, of_quads, parameters::edge_is_constrained_map(input.is_feature));
+    const Quad_mesh_smoothing_result smoothing = smooth_quad_mesh_with(
+      quads->mesh, of_quads,
+      [&](const Indexed_quad_mesh& m)
+      {
+        return Smoothing_reference(
+          m,
+          m_request.is_graded
+            ? smoothing_reference(parameters::face_sizing_map(input.length).edge_is_constrained_map(input.is_feature))
+            : smoothing_reference(parameters::edge_is_constrained_map(input.is_feature)));
+      });
     result.smoothing_seconds = timer.time();
     if(m_visitor.is_stopped())
       return stop(smoothing.message);
     result.folded_quads = smoothing.folded_quads_after;
+    if(!smoothing.flat_corners.empty())
+      unmet.push_back(message_of_flat_corners(smoothing.flat_corners));
     locate_vertices();
+  }
+
+  std::string message_of_flat_corners(const std::vector<std::size_t>& corners) const
+  {
+    std::ostringstream message;
+    message << "features meet at an angle of 0 or 180 degrees and leave a quad no room at "
+            << (corners.size() == 1 ? "the corner " : std::to_string(corners.size()) + " corners, the first one ")
+            << quads->mesh.point(Mesh::Vertex_index(static_cast<Mesh::size_type>(corners.front())));
+    return message.str();
   }
 
   // Its last step is the smoothing.
@@ -437,7 +504,8 @@ private:
   const Quadrangulation_options& m_options;
   Pipeline_visitor& m_visitor;
   const std::vector<Component_topology> m_topology;
-  std::vector<char> m_fixed; // per vertex of the quads: it stays where it is
+  std::vector<char> m_fixed;                // per vertex of the quads: it stays where it is
+  Indexed_directions m_smoothed_directions; // for the smoothing
 };
 
 } // namespace internal

@@ -22,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -94,6 +96,61 @@ inline double share_on_edges(const std::vector<std::array<Shape_point_3, 2>>& se
     kept += length * on_edge / samples;
   }
   return sum > 0 ? kept / sum : 1;
+}
+
+// The angles between the edges of a quad mesh and the directions of the reference nearby.
+inline void measure_orientation(const Indexed_quad_mesh& m, const Indexed_reference& original, double mean_edge,
+                                Quad_mesh_deviation& d)
+{
+  // The faces that have directions, each by itself: walks do not lead from one to another, the nearest one counts.
+  const Indexed_directions& directions = original.directions;
+  Indexed_triangle_mesh oriented;
+  std::vector<Shape_vector_3> direction;
+  for(std::size_t f = 0; f < directions.direction.size(); ++f)
+  {
+    const std::array<int, 3>& c = original.mesh.corners[f];
+    const auto &p = original.mesh.points[c[0]], &q = original.mesh.points[c[1]], &r = original.mesh.points[c[2]];
+    const Shape_vector_3 normal = unit_or_zero(cross_product(q - p, r - p));
+    const Shape_vector_3 along = unit_or_zero(directions.direction[f] - (directions.direction[f] * normal) * normal);
+    if(normal == NULL_VECTOR || along == NULL_VECTOR || !(directions.weight[f] > 0))
+      continue;
+    const int first = oriented.number_of_vertices();
+    oriented.points.insert(oriented.points.end(), { p, q, r });
+    oriented.corners.push_back({ { first, first + 1, first + 2 } });
+    for(int k = 0; k < 3; ++k)
+      oriented.halfedge_of_vertex.push_back(3 * static_cast<int>(direction.size()) + k);
+    direction.push_back(along);
+  }
+  if(direction.empty())
+    return;
+  oriented.opposite.assign(3 * direction.size(), -1);
+  Reference_surface surface(std::move(oriented));
+
+  constexpr double degree = CGAL_PI / 180, over = 15, bin = 5;
+  int hint = 0;
+  for(int h = 0; h < m.number_of_halfedges(); ++h)
+  {
+    if(m.edge(h) != h)
+      continue;
+    const Shape_point_3 &p = m.points[m.source(h)], &q = m.points[m.target(h)];
+    const Reference_surface::Location l = surface.locate(midpoint(p, q), hint);
+    hint = l.face;
+    if(!(squared_distance(l.point, midpoint(p, q)) < mean_edge * mean_edge))
+      continue;
+    const Shape_vector_3 &along = direction[l.face], across = cross_product(surface.normal(l.face), along);
+    const double x = CGAL::abs((q - p) * along), y = CGAL::abs((q - p) * across);
+    if(!(x > 0 || y > 0))
+      continue;
+    const double angle = std::atan2((std::min)(x, y), (std::max)(x, y)) / degree;
+    ++d.oriented_edges;
+    d.orientation_deviation_mean += angle;
+    d.orientation_over_15 += angle > over;
+    ++d.orientation_histogram[(std::min)(static_cast<int>(angle / bin), 8)];
+  }
+  if(d.oriented_edges == 0)
+    return;
+  d.orientation_deviation_mean /= static_cast<double>(d.oriented_edges);
+  d.orientation_over_15 /= static_cast<double>(d.oriented_edges);
 }
 
 CGAL_QUAD_MESHING_INLINE Quad_mesh_deviation deviation_of_quad_mesh(const Indexed_quad_mesh& m,
@@ -177,6 +234,7 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_deviation deviation_of_quad_mesh(const Indexe
     }
   d.features_kept = share_on_edges(features, edges_of_quads, mean_edge);
   d.boundary_kept = share_on_edges(boundary, boundary_of_quads, mean_edge);
+  measure_orientation(m, original, mean_edge, d);
   return d;
 }
 

@@ -9,6 +9,8 @@
 #ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_CORNER_ENERGY_H
 #define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_CORNER_ENERGY_H
 
+#include <CGAL/Quad_meshing/Smoothing/internal/Side_turn_energy.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
@@ -97,6 +99,23 @@ public:
     m_huu += t.lengths_curvature * c1 - 2 * c2 * nu * du + c3 * du * du;
     m_huw += -c2 * (nu * dw + nw * du) + c3 * du * dw;
     m_hww += t.lengths_curvature * c1 - 2 * c2 * nw * dw + c3 * dw * dw;
+  }
+
+  // A side, from the vertex that moves on, for which a direction is wanted; `across` is orthogonal to it.
+  void add_side(const Vector_3& side, const Vector_3& along, const Vector_3& across, double weight)
+  {
+    const double x = side * along, y = side * across, square = x * x + y * y;
+    if(!(square > 0))
+      return;
+    const Side_turn_energy e(x, y);
+    const Vector_3 turn = (y * along - x * across) / square; // of the side, when the vertex moves
+    const double tu = turn * m_u, tw = turn * m_w;
+    m_value += weight * e.value();
+    m_gu += weight * e.slope() * tu;
+    m_gw += weight * e.slope() * tw;
+    m_huu += weight * e.curvature() * tu * tu;
+    m_huw += weight * e.curvature() * tu * tw;
+    m_hww += weight * e.curvature() * tw * tw;
   }
 
   // Newton's step with the absolute values of the eigenvalues, zero where there is none; along u only, and in the

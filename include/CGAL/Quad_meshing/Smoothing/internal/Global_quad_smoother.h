@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Smoothing/internal/Quad_smoother.h>
 #include <CGAL/Quad_meshing/Smoothing/internal/Rectangle_energy.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Side_turn_energy.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 
 #include <Eigen/Core>
@@ -109,6 +110,9 @@ private:
   // The weight of areas against shapes where lengths are asked for: as much as it takes that they do not level out.
   static constexpr double weight_of_lengths = 0.5;
 
+  // Shorter sides, relative to the root of the area aimed at, are not turned faster.
+  static constexpr double least_side = Rectangle_energy::least_length;
+
   double area_weight() const { return m_length.empty() ? Rectangle_energy::area_weight : weight_of_lengths; }
 
   typedef Eigen::SparseMatrix<double> Matrix;
@@ -200,6 +204,15 @@ private:
         sides.block<2, 2>(0, 2 * k) = sides.block<2, 2>(2, 2 * k) = -ways[k];
         gradient += sides.transpose() * slope;
         matrix += sides.transpose() * curvature * sides;
+        if(m_wish.empty() || !(m_wish[f].weight > 0))
+          continue;
+        const Wanted_directions::Wish& wish = m_wish[f];
+        const Eigen::Vector2d d(wish.direction * x, wish.direction * y), side(a * x, a * y);
+        const double square = (std::max)(side.squaredNorm(), least_side * least_side * m_area[f]);
+        const Side_turn_energy e(side.dot(d), d[0] * side[1] - d[1] * side[0]);
+        const Vector_8 turn = sides.topRows<2>().transpose() * Eigen::Vector2d(-side[1], side[0]) / square;
+        gradient += wish.weight * e.slope() * turn;
+        matrix += wish.weight * e.curvature() * turn * turn.transpose();
       }
       for(int r = 0; r < 8; ++r)
       {
@@ -353,6 +366,14 @@ private:
       sum += Rectangle_energy::value(m_mesh.points[c[(k + 1) & 3]] - m_mesh.points[c[k]],
                                      m_mesh.points[c[(k + 3) & 3]] - m_mesh.points[c[k]], m_normal[f], m_area[f],
                                      area_weight());
+    if(m_wish.empty() || !(m_wish[f].weight > 0))
+      return sum;
+    const Vector_3 &d = m_wish[f].direction, across = cross_product(m_normal[f], d);
+    for(int k = 0; k < 4; ++k)
+    {
+      const Vector_3 side = m_mesh.points[c[(k + 1) & 3]] - m_mesh.points[c[k]];
+      sum += m_wish[f].weight * Side_turn_energy(side * d, side * across).value();
+    }
     return sum;
   }
 

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_QUAD_MESH_ON_REFERENCE_H
 
 #include <CGAL/Quad_meshing/Smoothing/internal/Reference_curves.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Wanted_directions.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_shape.h>
@@ -45,17 +46,23 @@ public:
 
   Quad_mesh_on_reference(Indexed_quad_mesh& mesh, Reference_surface& surface, Reference_curves& features,
                          Reference_curves& borders, const std::vector<char>& is_fixed_vertex,
-                         const std::vector<double>& length, Any_visitor& visitor)
-    : m_mesh(mesh), m_surface(surface), m_features(features), m_borders(borders), m_length(length), m_visitor(visitor)
+                         const std::vector<double>& length, const Wanted_directions* directions, Any_visitor& visitor)
+    : m_mesh(mesh)
+    , m_surface(surface)
+    , m_features(features)
+    , m_borders(borders)
+    , m_length(length)
+    , m_directions(directions)
+    , m_visitor(visitor)
   {
     m_was_unfolded.assign(m_mesh.number_of_vertices(), 0);
     collect_incident_corners();
     classify(is_fixed_vertex);
-    update_scales();
     m_normal.resize(m_mesh.number_of_faces());
     m_jacobian.resize(m_mesh.number_of_faces());
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       update_face(f);
+    update_scales();
   }
 
   // All that takes long ends early if the visitor says so; the mesh is of no use then.
@@ -226,6 +233,31 @@ protected:
     }
     if(!m_length.empty() && !m_place.empty())
       aim_at_lengths();
+    if(m_directions != nullptr)
+      update_wishes();
+  }
+
+  // What directions are wanted where the quads are now.
+  void update_wishes()
+  {
+    const bool is_first = m_direction_place.empty();
+    m_direction_place.resize(m_mesh.number_of_faces(), -1);
+    m_wish.resize(m_mesh.number_of_faces());
+    for(int f = 0; f < m_mesh.number_of_faces() && goes_on(f); ++f)
+    {
+      const Point_3 middle = middle_of(f);
+      const int before = is_first ? f == 0 ? -1 : m_direction_place[f - 1] : m_direction_place[f];
+      m_direction_place[f] = is_first ? m_directions->locate(middle, before) : m_directions->walk(middle, before);
+      m_wish[f] = m_directions->at(m_direction_place[f], m_normal[f]);
+    }
+  }
+
+  Point_3 middle_of(int f) const
+  {
+    Vector_3 sum(0, 0, 0);
+    for(int v : m_mesh.corners[f])
+      sum = sum + (m_mesh.points[v] - ORIGIN) / 4;
+    return ORIGIN + sum;
   }
 
   // Where lengths are given, the corners of a quad aim at their squares, as far as these fit on the surface together.
@@ -293,19 +325,15 @@ protected:
   // The surface normal below the middle of a quad, found from one of its vertices on the surface.
   Vector_3 reference_normal(int f)
   {
-    const std::array<int, 4>& c = m_mesh.corners[f];
-    Vector_3 sum(0, 0, 0), normals(0, 0, 0);
+    Vector_3 normals(0, 0, 0);
     int place = -1;
-    for(int v : c)
-    {
-      sum = sum + (m_mesh.points[v] - ORIGIN) / 4;
+    for(int v : m_mesh.corners[f])
       if(m_kind[v] == on_surface && m_place[v] != -1)
       {
         place = m_place[v];
         normals = normals + m_surface.normal(place);
       }
-    }
-    const Point_3 middle = ORIGIN + sum;
+    const Point_3 middle = middle_of(f);
     place = place == -1 ? m_surface.locate(middle, -1).face : m_surface.walk(middle, place).face;
     return unit_or_zero(normals + m_surface.normal(place));
   }
@@ -314,18 +342,21 @@ protected:
   Reference_surface& m_surface;
   Reference_curves& m_features;
   Reference_curves& m_borders;
-  const std::vector<double>& m_length; // per face of the surface: see `Indexed_reference`
+  const std::vector<double>& m_length;   // per face of the surface: see `Indexed_reference`
+  const Wanted_directions* m_directions; // null: there are none
   Any_visitor& m_visitor;
 
-  std::vector<int> m_first, m_corner; // per vertex: the halfedges that leave it, border or not
-  std::vector<Vertex_kind> m_kind;    // per vertex
-  std::vector<int> m_place;           // per vertex: the face, or curve segment, it lies on
-  std::vector<char> m_is_off;         // per vertex: it is not there yet, as that would fold something
-  std::vector<double> m_scale;        // per vertex: mean squared side around it
-  std::vector<double> m_area;         // per face: the area its corners aim at
-  std::vector<Vector_3> m_normal;     // per face: unit; of the quad, or of the surface while unfolding
-  std::vector<double> m_jacobian;     // per face: minimal scaled Jacobian
-  std::vector<char> m_was_unfolded;   // per vertex: lay close to a fold
+  std::vector<int> m_first, m_corner;          // per vertex: the halfedges that leave it, border or not
+  std::vector<Vertex_kind> m_kind;             // per vertex
+  std::vector<int> m_place;                    // per vertex: the face, or curve segment, it lies on
+  std::vector<char> m_is_off;                  // per vertex: it is not there yet, as that would fold something
+  std::vector<double> m_scale;                 // per vertex: mean squared side around it
+  std::vector<double> m_area;                  // per face: the area its corners aim at
+  std::vector<Vector_3> m_normal;              // per face: unit; of the quad, or of the surface while unfolding
+  std::vector<double> m_jacobian;              // per face: minimal scaled Jacobian
+  std::vector<char> m_was_unfolded;            // per vertex: lay close to a fold
+  std::vector<int> m_direction_place;          // per face: where in the directions its middle lies
+  std::vector<Wanted_directions::Wish> m_wish; // per face: a direction of its sides; empty: there are none
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Smoothing/internal/Corner_energy.h>
 #include <CGAL/Quad_meshing/Smoothing/internal/Quad_mesh_on_reference.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Side_turn_energy.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Quad_shape.h>
 
@@ -155,6 +156,10 @@ protected:
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
       for(const Corner_energy& t : corners_at(m_corner[i], p))
         model.add(t, m_area[m_corner[i] / 4], epsilon);
+    if(guarded)
+      for_each_wish(v, p,
+                    [&](const Vector_3& side, const Vector_3& along, const Vector_3& across, double weight)
+                    { model.add_side(side, along, across, weight); });
     Vector_3 step = m_kind[v] == on_surface ? model.step_in_plane() : model.step_along_u();
     const double length = std::sqrt(step.squared_length()), longest = longest_step * std::sqrt(mean_aim);
     if(!(length > 0))
@@ -216,8 +221,9 @@ private:
                                  m_mesh.points[c[(h + 3) & 3]], m_normal[h / 4]);
   }
 
-  // The energy at p of all corners that move with v; infinite if one folds that may not (epsilon 0).
-  double energy(int v, const Point_3& p, double epsilon) const
+  // The energy at p of all corners that move with v; infinite if one folds that may not (epsilon 0). What is
+  // unfolded has no directions.
+  double energy(int v, const Point_3& p, double epsilon, bool guarded) const
   {
     double sum = 0;
     for(int i = m_first[v]; i < m_first[v + 1]; ++i)
@@ -227,7 +233,30 @@ private:
           return std::numeric_limits<double>::infinity();
         sum += t.value(m_area[m_corner[i] / 4], epsilon);
       }
+    if(guarded)
+      for_each_wish(v, p,
+                    [&](const Vector_3& side, const Vector_3& along, const Vector_3& across, double weight)
+                    { sum += weight * Side_turn_energy(side * along, side * across).value(); });
     return sum;
+  }
+
+  // Calls f(side, unit direction wanted, direction across it, weight) for the sides that move with v, once for each
+  // quad.
+  template <typename Function>
+  void for_each_wish(int v, const Point_3& p, const Function& f) const
+  {
+    if(m_wish.empty())
+      return;
+    for(int i = m_first[v]; i < m_first[v + 1]; ++i)
+    {
+      const int h = m_corner[i];
+      const Wanted_directions::Wish& wish = m_wish[h / 4];
+      if(!(wish.weight > 0))
+        continue;
+      const Vector_3 across = cross_product(m_normal[h / 4], wish.direction);
+      for(int w : { m_mesh.target(h), m_mesh.source(m_mesh.prev(h)) })
+        f(m_mesh.points[w] - p, wish.direction, across, wish.weight);
+    }
   }
 
   // Moves v to the place on its reference that is closest to a point, if its energy falls below
@@ -235,7 +264,8 @@ private:
   bool try_move(int v, const Point_3& p, double value, double epsilon, bool guarded)
   {
     const Nearest nearest = walk_on_reference(v, p);
-    if(!(energy(v, nearest.point, epsilon) < value) || (guarded && !is_safe(v, nearest.point, guarded_jacobian)))
+    if(!(energy(v, nearest.point, epsilon, guarded) < value) ||
+       (guarded && !is_safe(v, nearest.point, guarded_jacobian)))
       return false;
     m_place[v] = nearest.place;
     m_is_off[v] = 0;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>
 #include <CGAL/Quad_meshing/Smoothing/internal/Reference_curves.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Wanted_directions.h>
 #include <CGAL/Quad_meshing/internal/Reference_surface.h>
 
 #include <memory>
@@ -26,7 +27,8 @@ struct Smoothing_reference::Data
   Reference_curves features;
   Reference_curves borders;
   Reference_surface surface;
-  std::vector<double> length; // see `Indexed_reference`
+  std::vector<double> length;                    // see `Indexed_reference`
+  std::unique_ptr<Wanted_directions> directions; // null: there are none
 
   Data(const Indexed_quad_mesh& qm, Indexed_reference tm)
     : features(tm.features.empty() ? Reference_curves(qm.points, edges_of(qm, false))
@@ -36,6 +38,8 @@ struct Smoothing_reference::Data
     , surface(std::move(tm.mesh))
     , length(std::move(tm.length))
   {
+    if(!tm.directions.direction.empty())
+      directions = std::make_unique<Wanted_directions>(std::move(tm.directions), surface);
   }
 
 private:
@@ -55,7 +59,7 @@ CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(const Indexed_
 }
 
 CGAL_QUAD_MESHING_INLINE Smoothing_reference::Smoothing_reference(const Indexed_quad_mesh& qm)
-  : Smoothing_reference(qm, Indexed_reference{ triangulated_quad_mesh(qm), {}, {}, {} })
+  : Smoothing_reference(qm, Indexed_reference{ triangulated_quad_mesh(qm), {}, {}, {}, {} })
 {
 }
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_SMOOTH_INDEXED_QUAD_MESH_IMPL_H
 #define CGAL_QUAD_MESHING_SMOOTHING_INTERNAL_SMOOTH_INDEXED_QUAD_MESH_IMPL_H
 
-#include <CGAL/Quad_meshing/Smoothing/internal/Global_quad_smoother.h>
+#include <CGAL/Quad_meshing/Smoothing/internal/Quad_untangler.h>
 #include <CGAL/Quad_meshing/Smoothing/internal/Smoothing_reference_impl.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/Watched_visitor.h>
@@ -46,7 +46,8 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Ind
   {
     const Visited_stage stage(watched, "smoothing");
     Smoothing_reference::Data& data = reference.data();
-    Global_quad_smoother smoother(m, data.surface, data.features, data.borders, is_fixed_vertex, data.length, watched);
+    Quad_untangler smoother(m, data.surface, data.features, data.borders, is_fixed_vertex, data.length,
+                            data.directions.get(), watched);
     smoother.project();
     std::vector<int> folded = smoother.folded_quads();
     result.folded_quads_before = folded.size();
@@ -70,7 +71,13 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Ind
     }
     if(options.globally && result.iterations > 0)
       smoother.mend();
-    result.folded_quads_after = smoother.folded_quads().size();
+    if(result.iterations > 0)
+      smoother.untangle();
+    const std::vector<int> left = smoother.folded_quads();
+    result.folded_quads_after = left.size();
+    for(int f : left)
+      if(smoother.flat_corner(f) != -1)
+        result.flat_corners.push_back(static_cast<std::size_t>(smoother.flat_corner(f)));
   }
 
   if(!watched.go_further())
@@ -86,6 +93,9 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Ind
     result.folded_quads_after == 0
       ? "The mesh has been smoothed; no quad is folded."
       : "The mesh has been smoothed; number of folded quads: " + std::to_string(result.folded_quads_after) + ".";
+  if(!result.flat_corners.empty())
+    result.message += " Corners at which curves leave a quad no angle: " + std::to_string(result.flat_corners.size()) +
+                      ", the first one at vertex " + std::to_string(result.flat_corners.front()) + ".";
   return result;
 }
 
