@@ -604,6 +604,28 @@ void numbers_are_the_best_ones()
   }
 }
 
+// Twelve equal arcs in three classes: from scale to scale all numbers of segments change at once, but the number of
+// quads comes as near to a target as one segment more or less allows.
+void numbers_of_quads_are_met()
+{
+  const Layout cube = LM::cube();
+  for(double target = 100; target < 1000; target += 37)
+  {
+    QM::internal::Arc_quantization numbers(cube);
+    assert(numbers.solve_for_quads(std::vector<double>(cube.arcs.size(), 7.3), target,
+                                   QM::Rounding_method::BRANCH_AND_BOUND));
+    double nearest = (std::numeric_limits<double>::infinity)();
+    for(int n = 1; n < 20; ++n)
+      for(const int quads : { 6 * n * n, 2 * (n * n + 2 * n * (n + 1)), 2 * ((n + 1) * (n + 1) + 2 * n * (n + 1)) })
+        nearest = (std::min)(nearest, std::abs(std::log(quads / target)));
+    const double defect = std::abs(std::log(numbers.number_of_quads() / target));
+    assert(defect <= (std::max)(nearest + 1e-12, QM::internal::Arc_quantization::close_enough));
+    for(const auto& patch : cube.patches)
+      for(int k = 0; k < 2; ++k)
+        assert(numbers.side_number(patch.sides[k]) == numbers.side_number(patch.sides[k + 2]));
+  }
+}
+
 void numbers_that_cannot_be_are_refused()
 {
   // a patch whose bottom is an arc, and whose top is the same arc and another one
@@ -840,6 +862,7 @@ int main(int argc, char** argv)
                      { "untangling", untangling_leaves_no_fold },
                      { "straightening", inverted_quads_become_straight },
                      { "numbers", numbers_are_the_best_ones },
+                     { "numbers_of_quads", numbers_of_quads_are_met },
                      { "impossible_numbers", numbers_that_cannot_be_are_refused },
                      { "errors", errors_name_what_is_wrong },
                      { "bad_meshes", bad_meshes_are_refused },

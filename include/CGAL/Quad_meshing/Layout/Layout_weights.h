@@ -35,9 +35,9 @@ struct Layout_weights
   static constexpr double loss = 0.3;     // of quads
   static constexpr double growth = 1.35;  // of the mean deviation of the corners from right angles
   // So many helices may be left in any case, and no more patches for each irregular vertex. Measured at 4000 quads:
-  // fandisk, whose 1682 patches have two helices, comes to 431 patches if one may be left, to 283 if four may.
+  // fandisk, whose 1682 patches have two helices, comes to 431 patches if one may be left, to 286 if four may.
   // By a third of their number alone, 238 patches are left of rockerarm (34 irregular vertices) and 464 of fertility
-  // (44); by the irregular vertices 168 and 200, and corners deviate half a degree more.
+  // (44); by the irregular vertices 158 and 214, and corners deviate by 0.8 and 1.2 degrees more.
   static constexpr int few_helices = 4;
   static constexpr double patches_per_irregular_vertex = 5;
   // Numbers below which the input counts as if it had these: nobody minds five helices that cross themselves, nor sees
