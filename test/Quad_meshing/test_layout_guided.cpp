@@ -19,6 +19,7 @@
 #include <CGAL/Quad_meshing/Layout/internal/Layout_embedding.h>
 #include <CGAL/Quad_meshing/Layout/internal/Layout_parameterization.h>
 #include <CGAL/Quad_meshing/Layout/internal/Patch_untangling.h>
+#include <CGAL/Quad_meshing/Layout/internal/Quad_straightening.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Layout/surface_layout_files.h>
@@ -63,7 +64,7 @@ void check_mesh(const Mesh& qm, const Mesh& tm, const Result& result)
 {
   if(!result.is_valid())
     std::cerr << result.message << std::endl;
-  assert(result.is_valid() && result.folded_patches == 0);
+  assert(result.is_valid() && result.folded_patches == 0 && result.inverted_quads == 0);
   const quad_mesh_checks::Mesh_figures q = quad_mesh_checks::figures(qm), t = quad_mesh_checks::figures(tm);
   assert(q.is_valid() && q.same_topology(t) && q.is_simple());
   assert(q.faces == result.quads && q.vertices == result.vertices);
@@ -531,6 +532,43 @@ void untangling_leaves_no_fold()
   }
 }
 
+// A vertex that lies beyond its neighbours inverts quads. It comes back, and nothing far from it moves; what may not
+// move stays inverted and is counted.
+void inverted_quads_become_straight()
+{
+  const int n = 12;
+  const structure_meshes::Quad_soup soup = structure_meshes::grid(n, n);
+  QM::internal::Indexed_quad_mesh quads;
+  quads.points.assign(soup.points.begin(), soup.points.end());
+  for(const auto& q : soup.quads)
+    quads.corners.push_back(
+      { { static_cast<int>(q[0]), static_cast<int>(q[1]), static_cast<int>(q[2]), static_cast<int>(q[3]) } });
+  quads.is_feature.assign(4 * quads.corners.size(), 0);
+  assert(quads.connect());
+  const int inner = 5 * (n + 1) + 5, far_away = n + 2;
+  quads.points[inner] = QM::internal::Indexed_quad_mesh::Point_3(7.6, 5.2, 0);
+  const std::vector<QM::internal::Indexed_quad_mesh::Point_3> before = quads.points;
+  const QM::internal::Indexed_reference reference{
+    QM::internal::make_indexed_triangle_mesh(TM::make_mesh(TM::grid(n, n, n, n)), params::default_values()), {}, {}, {}
+  };
+  QM::internal::Any_visitor visitor;
+
+  const std::vector<char> all(quads.points.size(), 1);
+  assert(QM::internal::Quad_straightening(quads, all, reference).run(visitor) > 0 && quads.points == before);
+
+  std::vector<char> border(quads.points.size(), 0);
+  for(int v = 0; v < quads.number_of_vertices(); ++v)
+    border[v] = quads.is_border_vertex(v);
+  assert(QM::internal::Quad_straightening(quads, border, reference).run(visitor) == 0);
+  assert(quads.points[inner] != before[inner] && quads.points[far_away] == before[far_away]);
+  for(const std::array<int, 4>& c : quads.corners)
+  {
+    QM::internal::Shape_vector_3 normal;
+    assert(QM::internal::minimal_scaled_jacobian(quads.points[c[0]], quads.points[c[1]], quads.points[c[2]],
+                                                 quads.points[c[3]], normal) > 0);
+  }
+}
+
 // ---- numbers of segments ----
 
 void numbers_are_the_best_ones()
@@ -563,6 +601,28 @@ void numbers_are_the_best_ones()
     QM::internal::Arc_quantization rounded(layout);
     if(rounded.solve(wanted, QM::Rounding_method::DIRECT))
       assert(cost(rounded.number) >= least - 1e-9);
+  }
+}
+
+// Twelve equal arcs in three classes: from scale to scale all numbers of segments change at once, but the number of
+// quads comes as near to a target as one segment more or less allows.
+void numbers_of_quads_are_met()
+{
+  const Layout cube = LM::cube();
+  for(double target = 100; target < 1000; target += 37)
+  {
+    QM::internal::Arc_quantization numbers(cube);
+    assert(numbers.solve_for_quads(std::vector<double>(cube.arcs.size(), 7.3), target,
+                                   QM::Rounding_method::BRANCH_AND_BOUND));
+    double nearest = (std::numeric_limits<double>::infinity)();
+    for(int n = 1; n < 20; ++n)
+      for(const int quads : { 6 * n * n, 2 * (n * n + 2 * n * (n + 1)), 2 * ((n + 1) * (n + 1) + 2 * n * (n + 1)) })
+        nearest = (std::min)(nearest, std::abs(std::log(quads / target)));
+    const double defect = std::abs(std::log(numbers.number_of_quads() / target));
+    assert(defect <= (std::max)(nearest + 1e-12, QM::internal::Arc_quantization::close_enough));
+    for(const auto& patch : cube.patches)
+      for(int k = 0; k < 2; ++k)
+        assert(numbers.side_number(patch.sides[k]) == numbers.side_number(patch.sides[k + 2]));
   }
 }
 
@@ -800,7 +860,9 @@ int main(int argc, char** argv)
                      { "cylinder", a_cylinder_with_two_borders },
                      { "features", features_are_kept },
                      { "untangling", untangling_leaves_no_fold },
+                     { "straightening", inverted_quads_become_straight },
                      { "numbers", numbers_are_the_best_ones },
+                     { "numbers_of_quads", numbers_of_quads_are_met },
                      { "impossible_numbers", numbers_that_cannot_be_are_refused },
                      { "errors", errors_name_what_is_wrong },
                      { "bad_meshes", bad_meshes_are_refused },

@@ -829,6 +829,7 @@ void test_goals()
   QM::Quad_mesh_structure structure;
   structure.number_of_helices = 50;
   structure.number_of_patches = 300;
+  structure.number_of_irregular_vertices = 300;
   structure.number_of_quads = 1000;
   QM::Quad_mesh_quality quality;
   quality.mean_angle_deviation = 10;
@@ -847,6 +848,15 @@ void test_goals()
   goals.neglect_loss();
   assert(goals.price_of_quads(500) < half_lost && std::abs(goals.price_of_quads(1100) - Weights::surplus / 10) < 1e-12);
   assert(goals.price_of_growth(-3) == 0 && goals.price_of_growth(50) > goals.price_of_growth(20));
+  // A few helices do no harm, however few the input has; irregular vertices limit the patches, however many it has.
+  structure.number_of_helices = 0;
+  structure.number_of_irregular_vertices = 10;
+  const QM::internal::Layout_goals few(structure, quality, 1000);
+  assert(few.tolerated_helices(0) == Weights::few_helices && few.tolerated_helices(7) == 7);
+  const double of_vertices = Weights::patches_per_irregular_vertex * 10;
+  assert(of_vertices < patches && few.are_reached(Weights::few_helices, of_vertices, 1000, 0));
+  assert(!few.are_reached(Weights::few_helices + 1, of_vertices, 1000, 0) &&
+         !few.are_reached(0, of_vertices + 1, 1000, 0));
   // A target far below the input is no goal.
   assert(QM::internal::Layout_goals(structure, quality, 100).price_of_quads(900) == 0);
 }

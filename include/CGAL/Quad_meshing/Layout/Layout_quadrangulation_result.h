@@ -86,6 +86,7 @@ struct Layout_quadrangulation_result
   std::size_t forced_arcs = 0; ///< arcs that were aligned without being asked for, since the map was folded otherwise
   std::size_t untangled_patches = 0; ///< patches whose map was computed anew, with positive weights
   std::size_t folded_patches = 0;    ///< those of them that remain folded: triangles without area make it possible
+  std::size_t inverted_quads = 0;    ///< quads that are inverted on the surface, after others have been straightened
   double feature_length = 0;         ///< the length of all constrained edges of the mesh
   double feature_length_on_arcs = 0; ///< the part of it that arcs run along
 

@@ -91,7 +91,7 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  * replaced by several parallel ones, so that there are about as many quads as before, or fewer if that gives fewer
  * helices. The layout is chosen by its number of helices, by its number of patches, by how many quads there are and by
  * how much they have to be sheared and stretched. A layout on which the smoothing leaves bad quads, or that has more
- * helices than the input, is given up for another one; if there is none without, the input stays.
+ * than four helices and more than the input, is given up for another one; if there is none without, the input stays.
  *
  * With `Structure_method::HELICES`, helices are removed by grid-preserving operators: the helix with the largest
  * winding number that can be removed with a gain first, in several of its columns and in both directions, one operator

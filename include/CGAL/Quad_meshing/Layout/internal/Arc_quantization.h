@@ -13,6 +13,8 @@
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/internal/Disjoint_sets.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -128,11 +130,12 @@ public:
     return error.empty();
   }
 
-  // The same with all wanted numbers multiplied such that the number of quads is near a target.
+  // The same with all wanted numbers multiplied such that the number of quads is near a target. In a layout of few
+  // classes that number jumps from scale to scale; then single classes are changed, too.
   bool solve_for_quads(const std::vector<double>& wanted, double target, Rounding_method method)
   {
     std::vector<int> best;
-    double low = 0, high = 0, best_defect = 0, scale = 1;
+    double low = 0, high = 0, best_defect = 0, best_scale = 1, scale = 1;
     for(int i = 0; i < most_scales; ++i)
     {
       std::vector<double> scaled = wanted;
@@ -146,6 +149,7 @@ public:
       {
         best = number;
         best_defect = defect;
+        best_scale = scale;
       }
       if(defect < close_enough)
         break;
@@ -155,6 +159,10 @@ public:
                                   : scale * std::sqrt(target / quads) * (quads < target ? 1.05 : 0.95);
     }
     number = best;
+    std::vector<double> scaled = wanted;
+    for(double& w : scaled)
+      w *= best_scale;
+    approach(target, scaled);
     return true;
   }
 
@@ -175,6 +183,64 @@ public:
   }
 
 private:
+  double defect_of(double target) const { return std::abs(std::log(number_of_quads() / target)); }
+
+  // Changes the numbers of single classes by one as long as that brings the number of quads nearer to a target: the
+  // change that departs least from the wanted numbers for what it brings comes first. Classes that T-vertices tie to
+  // others stay.
+  void approach(double target, const std::vector<double>& wanted)
+  {
+    std::vector<std::vector<int>> arcs(m_number_of_classes);
+    for(std::size_t a = 0; a < number.size(); ++a)
+      arcs[m_class[a]].push_back(static_cast<int>(a));
+    for(const Mixed_integer_problem::Linear_form& form : m_forms)
+      for(const std::pair<int, double>& term : form)
+        arcs[term.first].clear();
+    auto change = [&](int c, int by)
+    {
+      for(int a : arcs[c])
+        number[a] += by;
+    };
+    // squared logarithms of what there is over what is wanted
+    auto departure = [&](int c)
+    {
+      double sum = 0;
+      for(int a : arcs[c])
+        sum += square(std::log(number[a] / (std::max)(1., wanted[a])));
+      return sum;
+    };
+    for(double defect = defect_of(target); defect >= close_enough;)
+    {
+      int best = -1, best_by = 0;
+      double least_price = 0, best_defect = 0;
+      for(int c = 0; c < m_number_of_classes; ++c)
+        for(int by : { 1, -1 })
+        {
+          if(arcs[c].empty() || number[arcs[c].front()] + by < 1)
+            continue;
+          const double before = departure(c);
+          change(c, by);
+          const double d = defect_of(target);
+          if(d < defect)
+          {
+            const double price = (departure(c) - before) / (defect - d);
+            if(best == -1 || price < least_price)
+            {
+              best = c;
+              best_by = by;
+              least_price = price;
+              best_defect = d;
+            }
+          }
+          change(c, -by);
+        }
+      if(best == -1)
+        return;
+      change(best, best_by);
+      defect = best_defect;
+    }
+  }
+
   const Surface_layout& m_layout;
   std::vector<int> m_class; // per arc
   int m_number_of_classes = 0;

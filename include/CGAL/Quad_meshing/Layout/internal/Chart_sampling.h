@@ -34,6 +34,7 @@ class Chart_sampling
 public:
   Indexed_quad_mesh quads;         // not connected yet
   std::vector<int> patch_of_quad;  // per quad
+  std::vector<int> arc_of_edge;    // per halfedge of the quads: the arc that it lies on, -1 inside
   std::vector<int> failed_patches; // those in which a sample was not found on the surface
 
   Chart_sampling(const Embedded_layout& e, const Layout_charts& charts, const Layout_parameterization& map,
@@ -54,7 +55,7 @@ public:
     for(std::size_t n = 0; n < e.vertex_of_node.size(); ++n)
       m_is_placed[n] = 1;
     for(int p = 0; p < e.number_of_patches(); ++p)
-      if(!sample(p, is_aligned))
+      if(!sample(p))
         failed_patches.push_back(p);
   }
 
@@ -99,7 +100,7 @@ private:
     return samples;
   }
 
-  bool sample(int p, const std::vector<char>& is_aligned)
+  bool sample(int p)
   {
     const Surface_layout::Patch& patch = m_e.layout.patches[p];
     std::array<std::vector<Sample>, 4> sides;
@@ -160,17 +161,17 @@ private:
       }
     m_is_placed.resize(quads.points.size(), 1);
 
-    auto is_feature = [&](const Sample& s) { return is_aligned[s.direction / 2]; };
     for(int j = 0; j < h; ++j)
       for(int i = 0; i < w; ++i)
       {
         quads.corners.push_back({ { at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) } });
         patch_of_quad.push_back(p);
-        quads.is_feature.push_back(j == 0 && is_feature(sides[0][i]));
-        quads.is_feature.push_back(i + 1 == w && is_feature(sides[1][j]));
-        quads.is_feature.push_back(j + 1 == h && is_feature(sides[2][w - 1 - i]));
-        quads.is_feature.push_back(i == 0 && is_feature(sides[3][h - 1 - j]));
+        arc_of_edge.push_back(j == 0 ? sides[0][i].direction / 2 : -1);
+        arc_of_edge.push_back(i + 1 == w ? sides[1][j].direction / 2 : -1);
+        arc_of_edge.push_back(j + 1 == h ? sides[2][w - 1 - i].direction / 2 : -1);
+        arc_of_edge.push_back(i == 0 ? sides[3][h - 1 - j].direction / 2 : -1);
       }
+    quads.is_feature.resize(arc_of_edge.size(), 0);
     return is_good;
   }
 

@@ -132,13 +132,6 @@ public:
     return true;
   }
 
-  // The oriented area of the image of a face, twice.
-  double image_area(int f) const
-  {
-    const Eigen::Vector2d &a = place[copy[3 * f]], &b = place[copy[3 * f + 1]], &c = place[copy[3 * f + 2]];
-    return cross_product_2(b - a, c - a);
-  }
-
   const Harmonic_weights& weights() const { return m_weights; }
 
 private:

@@ -18,8 +18,11 @@
 #include <CGAL/Quad_meshing/Layout/internal/Layout_embedding.h>
 #include <CGAL/Quad_meshing/Layout/internal/Layout_parameterization.h>
 #include <CGAL/Quad_meshing/Layout/internal/Patch_untangling.h>
+#include <CGAL/Quad_meshing/Layout/internal/Quad_straightening.h>
 #include <CGAL/Quad_meshing/Layout/internal/quadrangulate_indexed_layout.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Indexed_reference.h>
+#include <CGAL/Quad_meshing/internal/Watched_visitor.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 
@@ -40,6 +43,8 @@ class Layout_quadrangulator
 public:
   // An arc, or the border of a patch, lies on features if this part of its length does.
   static constexpr double feature_part_of_arc = 0.9, feature_part_of_patch = 0.5;
+  // How often more arcs are aligned because of folds: the last time all of them are.
+  static constexpr int most_rounds_of_alignment = 3;
 
   Layout_quadrangulation_result result;
   Layout_quads quads;
@@ -102,6 +107,7 @@ public:
       result.segments.push_back(static_cast<std::size_t>(n));
     std::vector<char> is_aligned = wanted_alignment();
     const std::vector<char> wanted = is_aligned;
+    std::vector<int> arc_of_edge; // per halfedge of the quads
     for(;;)
     {
       if(!unfold(charts, alignment, is_aligned, map))
@@ -110,16 +116,14 @@ public:
         return;
       Chart_sampling sampling(m_e, charts, map, is_aligned, numbers);
       // what a map covers whose arcs are all aligned is known
-      bool is_changed = false;
-      for(int p : sampling.failed_patches)
-        is_changed = align(p, is_aligned) || is_changed;
-      if(is_changed)
+      if(align(sampling.failed_patches, is_aligned))
         continue;
       if(!sampling.failed_patches.empty())
         return end(Status::FAILED, "In patch " + std::to_string(sampling.failed_patches.front()) +
                                      ", the map does not cover the chart.");
       quads.mesh = std::move(sampling.quads);
       quads.patch = std::move(sampling.patch_of_quad);
+      arc_of_edge = std::move(sampling.arc_of_edge);
       break;
     }
     for(int a = 0; a < m_e.number_of_arcs(); ++a)
@@ -130,6 +134,9 @@ public:
     if(!quads.mesh.connect() || !is_manifold(quads.mesh))
       return end(Status::FAILED,
                  "The quads are so few that two of them would share more than one side: smaller ones are needed.");
+    straighten(wanted, arc_of_edge);
+    if(is_stopped())
+      return;
     result.quads = static_cast<std::size_t>(quads.mesh.number_of_faces());
     result.vertices = static_cast<std::size_t>(quads.mesh.number_of_vertices());
     end(Status::VALID, final_message());
@@ -252,15 +259,19 @@ private:
     return is_aligned;
   }
 
-  // Aligns the arcs of a patch. Returns whether there were some that had not been.
-  bool align(int patch, std::vector<char>& is_aligned) const
+  // Aligns the arcs of some patches, and in the end all arcs, as each round takes a parameterization. Returns whether
+  // there were some that had not been.
+  bool align(const std::vector<int>& patches, std::vector<char>& is_aligned)
   {
     bool is_changed = false;
-    for(int d : directions_around(m_e.layout.patches[patch]))
-    {
-      is_changed = is_changed || !is_aligned[d / 2];
-      is_aligned[d / 2] = 1;
-    }
+    for(int p : patches)
+      for(int d : directions_around(m_e.layout.patches[p]))
+      {
+        is_changed = is_changed || !is_aligned[d / 2];
+        is_aligned[d / 2] = 1;
+      }
+    if(is_changed && ++m_rounds_of_alignment == most_rounds_of_alignment)
+      is_aligned.assign(is_aligned.size(), 1);
     return is_changed;
   }
 
@@ -276,11 +287,8 @@ private:
         return false;
       if(!m_visitor.go_further())
         return true;
-      bool is_changed = false;
       std::vector<int> folded = untangling.folded_patches();
-      for(int p : folded)
-        is_changed = align(p, is_aligned) || is_changed;
-      if(is_changed)
+      if(align(folded, is_aligned))
         continue;
       // an arc in disorder folds both patches at it
       for(int p : folded)
@@ -293,6 +301,33 @@ private:
         result.folded_patches += !untangling.untangle(p);
       return true;
     }
+  }
+
+  // Straightens inverted quads, and marks the edges of the quads on aligned arcs. Nodes and arcs that were to be
+  // aligned stay as they are; only along features and the border vertices may slide.
+  void straighten(const std::vector<char>& is_aligned, const std::vector<int>& arc_of_edge)
+  {
+    Indexed_quad_mesh& m = quads.mesh;
+    std::vector<char> may_not_move(m.number_of_vertices(), 0);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+    {
+      const int a = arc_of_edge[h];
+      const bool lies_on_curve = a != -1 && (m_e.topology.is_border(a) || m_feature_part[a] >= feature_part_of_arc);
+      m.is_feature[h] = lies_on_curve;
+      if(a != -1 && is_aligned[a] && !lies_on_curve)
+        may_not_move[m.source(h)] = may_not_move[m.target(h)] = 1;
+    }
+    std::fill_n(may_not_move.begin(), m_e.vertex_of_node.size(), 1); // the first ones
+    Indexed_reference reference{ m_input, {}, {}, {} };
+    for(int h = 0; h < m_input.number_of_halfedges(); ++h)
+      if(m_input.opposite[h] == -1)
+        reference.borders.push_back({ { m_input.source(h), m_input.target(h) } });
+      else if(m_is_feature[h] && h < m_input.opposite[h])
+        reference.features.push_back({ { m_input.source(h), m_input.target(h) } });
+    Silent_visitor silent(m_visitor);
+    result.inverted_quads = Quad_straightening(m, may_not_move, reference).run(silent);
+    for(int h = 0; h < m.number_of_halfedges(); ++h)
+      m.is_feature[h] = arc_of_edge[h] != -1 && is_aligned[arc_of_edge[h]];
   }
 
   static bool is_manifold(const Indexed_quad_mesh& m)
@@ -327,6 +362,8 @@ private:
       text += " " + count(result.forced_arcs, "arc was", "arcs were") + " aligned, as the map was folded otherwise.";
     if(result.untangled_patches > 0)
       text += " " + count(result.untangled_patches, "patch was", "patches were") + " folded and mapped by itself.";
+    if(result.inverted_quads > 0)
+      text += " " + count(result.inverted_quads, "quad is", "quads are") + " inverted.";
     if(result.folded_patches > 0)
       text +=
         " " + count(result.folded_patches, "patch remains", "patches remain") + " folded, by triangles without area.";
@@ -339,6 +376,7 @@ private:
   Any_visitor& m_visitor;
   Embedded_layout m_e;
   std::vector<double> m_feature_part; // per arc: the part of its length on constrained edges
+  int m_rounds_of_alignment = 0;
 };
 
 } // namespace internal

@@ -14,6 +14,8 @@
 #include <CGAL/Quad_meshing/Layout/internal/Layout_charts.h>
 #include <CGAL/Quad_meshing/Layout/internal/Layout_parameterization.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -41,10 +43,17 @@ public:
       m_faces[e.patch[f]].push_back(f);
   }
 
+  // Whether the image of a triangle is not oriented as it should be: an exact answer about the coordinates as they are.
   bool has_fold(int patch) const
   {
+    typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
+    auto corner = [&](int h)
+    {
+      const Eigen::Vector2d& p = m_parameterization.place[m_parameterization.copy[h]];
+      return Point_2(p.x(), p.y());
+    };
     for(int f : m_faces[patch])
-      if(!(m_parameterization.image_area(f) > 0))
+      if(orientation(corner(3 * f), corner(3 * f + 1), corner(3 * f + 2)) != LEFT_TURN)
         return true;
     return false;
   }

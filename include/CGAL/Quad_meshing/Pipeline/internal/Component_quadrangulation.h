@@ -427,7 +427,8 @@ private:
     locate_vertices();
   }
 
-  // Quads along the base complex, on the input. They replace the others unless more of them are inverted.
+  // Quads along the base complex, on the input, smoothed there. They replace the others unless more of them are
+  // inverted.
   void make_semi_regular()
   {
     Real_timer timer;
@@ -444,16 +445,31 @@ private:
     result.layout_seconds = timer.time();
     if(m_visitor.is_stopped())
       return stop(made.message);
-    const std::size_t inverted = quad_mesh_quality(regular->mesh).number_of_inverted_quads;
-    if(!made.is_valid() || inverted > result.folded_quads)
+    if(!made.is_valid())
     {
       result.not_semi_regular_components = 1;
       return;
     }
+    const std::shared_ptr<Quadrangulation_quads> before = quads;
+    const std::size_t folded_before = result.folded_quads;
     quads = regular;
+    result.folded_quads = made.inverted_quads;
+    m_fixed.assign(quads->mesh.number_of_vertices(), 0);
+    if(m_options.smoothing_iterations != 0 && !m_visitor.is_time_up())
+      smooth();
+    else
+      locate_vertices();
+    if(result.status == Status::STOPPED)
+      return;
+    if(quad_mesh_quality(quads->mesh).number_of_inverted_quads >
+       quad_mesh_quality(before->mesh).number_of_inverted_quads)
+    {
+      quads = before;
+      result.folded_quads = folded_before;
+      result.not_semi_regular_components = 1;
+      return;
+    }
     result.quads = made.quads;
-    result.folded_quads = inverted;
-    locate_vertices();
   }
 
   // Vertices that have moved, or that the extraction did not make, lie at the nearest place of the triangles of the

@@ -31,8 +31,9 @@ public:
   static constexpr double looked_at = 1.15;
 
   Layout_goals(const Quad_mesh_structure& input, const Quad_mesh_quality& quality, int most_quads)
-    : m_most_helices(Weights::helices * (std::max)(Weights::least_helices, static_cast<int>(input.number_of_helices)))
-    , m_most_patches(Weights::patches * input.number_of_patches)
+    : m_most_helices((std::max)(Weights::helices * input.number_of_helices, double(Weights::few_helices)))
+    , m_most_patches((std::min)(Weights::patches * input.number_of_patches,
+                                Weights::patches_per_irregular_vertex * input.number_of_irregular_vertices))
     , m_most_quads(most_quads)
     , m_counts_quads(most_quads >= Weights::least_target * input.number_of_quads)
   {
@@ -83,6 +84,11 @@ public:
     return Reached{ price_of_structure(helices, patches, quads) + price_of_growth(growth),
                     are_reached(helices, patches, quads, growth) };
   }
+
+  double most_helices() const { return m_most_helices; }
+
+  // So many helices are no worse than what the input has.
+  int tolerated_helices(int of_input) const { return (std::max)(of_input, static_cast<int>(m_most_helices)); }
 
   // From now on lost quads cost less.
   void neglect_loss() { m_loss_above_goal = Weights::loss_above_goal_when_neglected; }

@@ -46,8 +46,8 @@ public:
       ++m_helices[m_curve_of_line[h.line]];
   }
 
-  // By how many parallel ones each curve may be replaced, with so many helices in the input.
-  std::vector<int> largest_multiplicities(std::size_t helices_of_input) const
+  // By how many parallel ones each curve may be replaced so that there are about so many helices.
+  std::vector<int> largest_multiplicities(double most_helices) const
   {
     int helices = 0;
     for(int n : m_helices)
@@ -55,7 +55,7 @@ public:
     std::vector<int> largest(m_helices.size(), Layout_curves::any_multiplicity);
     for(std::size_t c = 0; c < m_helices.size(); ++c)
       if(m_helices[c] > 0)
-        largest[c] = (std::max)(1, static_cast<int>(Layout_weights::helices * helices_of_input / helices));
+        largest[c] = (std::max)(1, static_cast<int>(most_helices / helices));
     return largest;
   }
 

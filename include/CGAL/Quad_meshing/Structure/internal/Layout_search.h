@@ -99,7 +99,7 @@ public:
     if(cost > limit)
       return cost;
     const int crossings =
-      (std::max)(Layout_weights::least_helices, static_cast<int>(m_structure.number_of_helices_with_crossings));
+      (std::max)(Layout_weights::least_crossings, static_cast<int>(m_structure.number_of_helices_with_crossings));
     return cost + Layout_weights::crossings * helices.number_of_helices_with_crossings(d.multiplicities) / crossings;
   }
 
@@ -124,9 +124,9 @@ public:
   Density density(Layout_curves& curves, const Layout_helices& helices, int most_quads) const
   {
     const Density free = density_of(curves, helices, curves.multiplicities_within(most_quads));
-    if(free.helices <= Layout_weights::helices * m_structure.number_of_helices)
+    if(free.helices <= m_goals.most_helices())
       return free;
-    curves.limit_multiplicities(helices.largest_multiplicities(m_structure.number_of_helices));
+    curves.limit_multiplicities(helices.largest_multiplicities(m_goals.most_helices()));
     const Density limited = density_of(curves, helices, curves.multiplicities_within(most_quads));
     if(limited.price + m_goals.price_of_structure(limited.helices, 0, limited.quads) <=
        free.price + m_goals.price_of_structure(free.helices, 0, free.quads))

@@ -28,7 +28,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is
-// accepted after smoothing, and that have not more helices than the input; if there is none, the mesh stays as it is.
+// accepted after smoothing, and that have not more helices than the input, or so few that these do no harm; if there is
+// none, the mesh stays as it is.
 // `smooth(state, sweeps)` smooths and returns what has been done.
 template <typename Smooth>
 void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
@@ -52,7 +53,7 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
   Watched_visitor searching(visitor, search_share * options.maximum_running_time);
   layout.search(attempts, searching);
 
-  const int most_helices = optimizer.score().helices;
+  const int most_helices = layout.goals().tolerated_helices(optimizer.score().helices);
   Structure_state best, candidate;
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
