@@ -84,6 +84,12 @@ public:
     o.strokes = divided(o.strokes, "stroke");
     for(Size_disc& d : o.size_discs)
       d.center = folded(d.center);
+    for(std::size_t i = 0; i < o.connections.size(); ++i)
+    {
+      o.connections[i].name = guide_name(o.connections[i], "connection", i);
+      o.connections[i].from = folded(o.connections[i].from);
+      o.connections[i].to = folded(o.connections[i].to);
+    }
     for(std::size_t i = 0; i < o.index_guides.size(); ++i)
     {
       o.index_guides[i].name = guide_name(o.index_guides[i], "index", i);
