@@ -662,6 +662,7 @@ void test_random_indices()
         continue;
       const int index = std::array<int, 4>{ { 1, 1, -1, 0 } }[random() % 4];
       guides.push_back(index_guide(tm.point(v), index, index == 0 ? number(0.1, 0.3) : 0.));
+      guides.back().name = "wish " + std::to_string(guides.size());
       sum += index;
     }
     if(are_all_prescribed)
@@ -690,7 +691,7 @@ void test_random_indices()
         for(Vertex v : qm.vertices())
           is_met = is_met && (qm.degree(v) == 4 || CGAL::squared_distance(qm.point(v), g.point) >= g.radius * g.radius);
       }
-      const std::string name = "index " + std::to_string(i + 1);
+      const std::string name = "wish " + std::to_string(i + 1);
       const bool is_named =
         std::any_of(r.unmet_guides.begin(), r.unmet_guides.end(),
                     [&](const std::string& s) { return (s + " ").find(name + " ") != std::string::npos; });

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {

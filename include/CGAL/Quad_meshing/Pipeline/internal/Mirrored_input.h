@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -77,6 +78,21 @@ class Mirrored_guides
 
 public:
   explicit Mirrored_guides(const Mirror& mirror) : m_mirror(mirror) {}
+
+  // What lies on both sides and cannot be divided, as a sentence; empty: nothing does.
+  std::string crossing(const Quadrangulation_options& o) const
+  {
+    for(std::size_t i = 0; i < o.connections.size(); ++i)
+      if(m_mirror.distance(o.connections[i].from) * m_mirror.distance(o.connections[i].to) < 0)
+        return "The ends of " + guide_name(o.connections[i], "connection", i) +
+               " lie on different sides of a plane of symmetry; connect each of them with a point of the plane.";
+    for(std::size_t i = 0; i < o.index_guides.size(); ++i)
+      if(o.index_guides[i].is_sum &&
+         std::abs(m_mirror.distance(o.index_guides[i].point)) < o.index_guides[i].radius)
+        return "The region of " + guide_name(o.index_guides[i], "index", i) +
+               " crosses a plane of symmetry; a sum can be chosen on one side of it alone.";
+    return std::string();
+  }
 
   void apply(Quadrangulation_options& o) const
   {
