@@ -714,8 +714,9 @@ int straight_chain(const Mesh& qm, const Point_3& p, const Point_3& q)
                              });
   };
   const Vertex from = nearest(p), to = nearest(q);
-  for(Mesh::Halfedge_index h : qm.halfedges_around_source(qm.halfedge(from)))
+  for(Mesh::Halfedge_index in : qm.halfedges_around_target(qm.halfedge(from)))
   {
+    Mesh::Halfedge_index h = qm.opposite(in);
     int steps = 1;
     // the edge that leaves a vertex of four quads opposite to the one that came
     for(; qm.target(h) != to && qm.degree(qm.target(h)) == 4 && steps < 1000; ++steps)

@@ -132,8 +132,8 @@ public:
   std::string of_connection(const Placed_connection& c) const
   {
     const Mesh::Vertex_index from = nearest_vertex(c.from.point), to = nearest_vertex(c.to.point);
-    for(Mesh::Halfedge_index h : m_quads.halfedges_around_source(m_quads.halfedge(from)))
-      if(leads_straight_to(h, to))
+    for(Mesh::Halfedge_index h : m_quads.halfedges_around_target(m_quads.halfedge(from)))
+      if(leads_straight_to(m_quads.opposite(h), to))
         return std::string();
     return "no straight chain of quad edges joins the ends of " + c.name;
   }
