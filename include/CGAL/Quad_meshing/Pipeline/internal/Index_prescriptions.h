@@ -104,16 +104,11 @@ public:
         wanted[v] += step;
         missing -= step;
       }
-    for(; missing != 0; missing -= step)
+    if(!place(missing, free, guarded, wanted))
     {
-      const Vertex v = with_most_room(free, guarded, wanted);
-      if(wanted[v] + step > largest_index || wanted[v] + step < smallest_index)
-      {
-        unmet.push_back("the region of " + name + " has no room for irregular vertices that sum up to " +
-                        std::to_string(sum));
-        break;
-      }
-      wanted[v] += step;
+      unmet.push_back("the region of " + name + " has no room for irregular vertices that sum up to " +
+                      std::to_string(sum));
+      return;
     }
     for(Vertex v : guarded)
       if(!is_on_feature(v) && !m_index[v])
@@ -124,15 +119,21 @@ public:
   void check_total()
   {
     const Mesh& mesh = m_surface.mesh;
-    int total = 0;
+    int total = 0, irregular = 0, largest = 0;
     for(Vertex v : mesh.vertices())
     {
       if(!m_index[v])
         return;
       total += *m_index[v];
+      irregular += *m_index[v] != 0;
+      largest = (std::max)(largest, *m_index[v]);
     }
     const int needed = 4 * (static_cast<int>(mesh.number_of_vertices()) - static_cast<int>(mesh.number_of_edges()) +
                             static_cast<int>(mesh.number_of_faces()));
+    // Izmestiev, Kusner, Rote, Springborn and Sullivan 2013, "There is no triangulation of the torus with vertex degrees
+    // 5, 6, ..., 6, 7 and related results", which has the same for quads and 3, 4, ..., 4, 5.
+    if(total == 0 && needed == 0 && irregular == 2 && largest == 1)
+      refusal = "No quad mesh of a torus has one vertex of three quads, one of five, and else regular vertices only.";
     if(total == needed || mesh.is_empty())
       return;
     const int missing = needed - total;
@@ -144,6 +145,33 @@ public:
 
 private:
   static constexpr int largest_index = 1, smallest_index = -2; // of vertices that are chosen here: three to six quads
+  static constexpr int most_new = 200;                         // a search over the mesh is done for each of them
+
+  // Puts irregular vertices where most room is, each for itself, and then each once more for what the others are: that
+  // drives them apart. Returns false if there are too many.
+  bool place(int missing, const std::vector<Vertex>& free, const std::vector<Vertex>& guarded,
+             std::vector<int>& wanted) const
+  {
+    const int rounds = 3; // after which two in a disk are as far apart as they may be
+    const int step = missing > 0 ? 1 : -1;
+    if(std::abs(missing) > most_new)
+      return false;
+    std::vector<Vertex> placed;
+    for(int i = 0; i < std::abs(missing); ++i)
+    {
+      placed.push_back(with_most_room(free, guarded, wanted));
+      wanted[placed.back()] += step;
+    }
+    for(int round = 0; round < rounds; ++round)
+      for(Vertex& v : placed)
+      {
+        wanted[v] -= step;
+        v = with_most_room(free, guarded, wanted);
+        wanted[v] += step;
+      }
+    return std::all_of(placed.begin(), placed.end(),
+                       [&](Vertex v) { return wanted[v] <= largest_index && wanted[v] >= smallest_index; });
+  }
 
   void prescribe(Vertex v, int index, const std::string& name)
   {
