@@ -610,7 +610,7 @@ void test_index_sums()
   };
   for(const Wish& w : { Wish{ &ball, Point_3(0, 0, 1), 0.9, 6 }, Wish{ &ball, Point_3(0, 0, 1), 0.9, 0 },
                         Wish{ &ball, Point_3(0.6, 0, 0.8), 0.7, -1 }, Wish{ &ring, Point_3(1.4, 0, 0), 0.6, 2 },
-                        Wish{ &ring, Point_3(-1, 0, 0.4), 0.5, -1 } })
+                        Wish{ &ring, Point_3(1.4, 0, 0), 0.6, -2 } })
   {
     QM::Index_guide g = index_guide(w.point, w.sum, w.radius);
     g.is_sum = true;

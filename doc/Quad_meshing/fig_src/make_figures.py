@@ -59,14 +59,11 @@ def gallery(programs, meshes, figures, folder):
         save(sheet, os.path.join(figures, "gallery_%d.png" % (number + 1)))
 
 
-def read_off(path):
-    """Points and triangles of a file of CGAL's data."""
+def read_points(path):
+    """The points of a file of CGAL's data."""
     with open(path, encoding="ascii") as file:
         words = [w for line in file for w in line.split("#")[0].split()]
-    n, m, at = int(words[1]), int(words[2]), 4
-    points = [tuple(map(float, words[at + 3 * i:at + 3 * i + 3])) for i in range(n)]
-    at += 3 * n
-    return points, [tuple(map(int, words[at + 4 * i + 1:at + 4 * i + 4])) for i in range(m)]
+    return [tuple(map(float, words[4 + 3 * i:7 + 3 * i])) for i in range(int(words[1]))]
 
 
 def write_lines(path, rows):
@@ -78,7 +75,7 @@ def guides(programs, meshes, figures, folder):
     """A model without and with each kind of guide, side by side."""
     name = "bear"
     model = os.path.join(meshes, name + ".off")
-    points, triangles = read_off(model)
+    points = read_points(model)
     low, high = ([f(p[c] for p in points) for c in range(3)] for f in (min, max))
     center = [(a + b) / 2 for a, b in zip(low, high)]
     reach = max(b - a for a, b in zip(low, high))
@@ -89,15 +86,6 @@ def guides(programs, meshes, figures, folder):
         return [(center[0] + radius * math.cos(2 * math.pi * turns * t / steps), height + rise * reach * (t / steps - 0.5),
                  center[2] + radius * math.sin(2 * math.pi * turns * t / steps)) for t in range(steps + 1)]
 
-    grouped = os.path.join(folder, "grouped.obj")
-    with open(grouped, "w", encoding="ascii") as file:
-        file.writelines("v %r %r %r\n" % p for p in points)
-        for upper in (True, False):
-            file.write("usemtl %s\n" % ("upper" if upper else "lower"))
-            for t in triangles:
-                x, y = (sum(points[v][c] - center[c] for v in t) / (3 * reach) for c in (0, 1))
-                if (y > 0.05 * math.sin(20 * x)) == upper:
-                    file.write("f %d %d %d\n" % tuple(v + 1 for v in t))
     files = {k: os.path.join(folder, k + ".txt") for k in ("curves", "strokes", "singularities", "sizes")}
     write_lines(files["curves"], around(1, 0))
     write_lines(files["strokes"], around(0.5, 0.25))
@@ -105,16 +93,15 @@ def guides(programs, meshes, figures, folder):
     write_lines(files["singularities"], [tuple(center[c] + s[c] * reach for c in range(3)) + (1,) for s in corners])
     write_lines(files["sizes"], [(center[0], high[1], center[2], 0.25 * reach, 0.008 * reach)])
 
-    def picture(result, source, *options):
+    def picture(result, *options):
         path = os.path.join(folder, result + ".png")
-        subprocess.run([os.path.join(programs, "quadrangulate"), source, os.path.join(folder, result + ".obj"), "--target-quads", QUADS,
+        subprocess.run([os.path.join(programs, "quadrangulate"), model, os.path.join(folder, result + ".obj"), "--target-quads", QUADS,
                         "--picture", path, "--color-by", "mean edge" if "sizes" in result else "scaled", *options], check=True)
         return Image.open(path).convert("RGB").resize((480, 360), Image.LANCZOS)
 
-    before = picture("before", model)
-    kinds = [(k, (model, "--" + k, files[k])) for k in files] + [("groups", (grouped, "--groups")), ("symmetry", (model, "--symmetry", "x"))]
-    for kind, arguments in kinds:
-        after = picture("after_" + kind, *arguments)
+    before = picture("before")
+    for kind, path in files.items():
+        after = picture("after_" + kind, "--" + kind, path)
         sheet = Image.new("RGB", (960, 360), (255, 255, 255))
         sheet.paste(before, (0, 0))
         sheet.paste(after, (480, 0))

@@ -130,8 +130,8 @@ public:
     }
     const int needed = 4 * (static_cast<int>(mesh.number_of_vertices()) - static_cast<int>(mesh.number_of_edges()) +
                             static_cast<int>(mesh.number_of_faces()));
-    // Izmestiev, Kusner, Rote, Springborn and Sullivan 2013, "There is no triangulation of the torus with vertex degrees
-    // 5, 6, ..., 6, 7 and related results", which has the same for quads and 3, 4, ..., 4, 5.
+    // Izmestiev, Kusner, Rote, Springborn and Sullivan 2013, "There is no triangulation of the torus with vertex
+    // degrees 5, 6, ..., 6, 7 and related results", which has the same for quads and 3, 4, ..., 4, 5.
     if(total == 0 && needed == 0 && irregular == 2 && largest == 1)
       refusal = "No quad mesh of a torus has one vertex of three quads, one of five, and else regular vertices only.";
     if(total == needed || mesh.is_empty())

@@ -87,8 +87,7 @@ public:
         return "The ends of " + guide_name(o.connections[i], "connection", i) +
                " lie on different sides of a plane of symmetry; connect each of them with a point of the plane.";
     for(std::size_t i = 0; i < o.index_guides.size(); ++i)
-      if(o.index_guides[i].is_sum &&
-         std::abs(m_mirror.distance(o.index_guides[i].point)) < o.index_guides[i].radius)
+      if(o.index_guides[i].is_sum && std::abs(m_mirror.distance(o.index_guides[i].point)) < o.index_guides[i].radius)
         return "The region of " + guide_name(o.index_guides[i], "index", i) +
                " crosses a plane of symmetry; a sum can be chosen on one side of it alone.";
     return std::string();
