@@ -101,10 +101,11 @@ public:
     return m_tree.closest_point_and_primitive(length > 0 ? center + (lift / length) * area : center).second;
   }
 
-  // The nearest place to a point: a face, and the weights of its corners from the source of its halfedge on.
-  std::pair<face_descriptor, std::array<double, 3>> locate(const Point_3& query) const
+  // The place of a point in the triangle that is nearest to a point `inside` of it: a face, and the weights of its
+  // corners from the source of its halfedge on. So a point on a seam is seen from one side.
+  std::pair<face_descriptor, std::array<double, 3>> locate(const Point_3& query, const Point_3& inside) const
   {
-    const auto found = m_tree.closest_point_and_primitive(query);
+    const auto found = m_tree.closest_point_and_primitive(inside);
     auto h = halfedge(found.second, m_tm);
     std::array<Point_3, 3> t;
     for(int k = 0; k < 3; ++k, h = next(h, m_tm))
@@ -115,8 +116,7 @@ public:
     {
       double total = 0;
       for(int k = 0; k < 3; ++k)
-        total += w[k] =
-          (std::max)(0., cross_product(t[(k + 1) % 3] - found.first, t[(k + 2) % 3] - found.first) * n / (n * n));
+        total += w[k] = (std::max)(0., cross_product(t[(k + 1) % 3] - query, t[(k + 2) % 3] - query) * n / (n * n));
       for(double& x : w)
         x /= total;
     }
@@ -242,10 +242,23 @@ void transfer_corner_values(const TriangleMesh& tm, EdgeIsSeamMap edge_is_seam, 
     const std::size_t c = get(chart, all.below(f, qm));
     if(!charts[c])
       charts[c] = std::make_unique<Triangles>(tm, members[c]);
+    // A seam may have the same chart on both sides: corners are seen from a thousandth of the way to the center.
+    const double inwards = 1e-3;
+    double x = 0, y = 0, z = 0, corners = 0;
     for(auto h : halfedges_around_face(halfedge(f, qm), qm))
     {
       const auto& p = get(vpm, target(h, qm));
-      const auto l = charts[c]->locate(Point_3(p.x(), p.y(), p.z()));
+      x += p.x();
+      y += p.y();
+      z += p.z();
+      ++corners;
+    }
+    const Point_3 center(x / corners, y / corners, z / corners);
+    for(auto h : halfedges_around_face(halfedge(f, qm), qm))
+    {
+      const auto& p = get(vpm, target(h, qm));
+      const Point_3 query(p.x(), p.y(), p.z());
+      const auto l = charts[c]->locate(query, query + inwards * (center - query));
       const auto first = halfedge(l.first, tm); // its source is corner 0
       const std::array<Value, 3> values = { { get(corner_value, prev(first, tm)), get(corner_value, first),
                                               get(corner_value, next(first, tm)) } };
