@@ -20,6 +20,7 @@
 
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -68,9 +69,15 @@ inline void add(po::options_description& options)
     "hard-strokes", "make the cross field follow the strokes exactly")(
     "singularities", po::value<std::string>(),
     "'x y z index' in each line: 1 for three quads at a vertex, -1 for five, 0 forbids an irregular vertex; "
-    "'x y z 0 radius' forbids them in a region")(
-    "symmetry", po::value<std::vector<std::string>>()->composing(),
-    "x, y, z, 'a,b,c,d' or auto: plane that the result is symmetric to; may be given up to three times")(
+    "'x y z 0 radius' forbids them in a region")("only-singularities",
+                                                 "no irregular vertex inside of the surface but those of "
+                                                 "--singularities")(
+    "index-sums", po::value<std::string>(),
+    "'x y z radius sum' in each line: the indices of the vertices in a region sum up to that")(
+    "connect", po::value<std::string>(),
+    "'x y z x y z' in each line: places of irregular vertices, or of features, that a straight chain of quad edges "
+    "joins")("symmetry", po::value<std::vector<std::string>>()->composing(),
+             "x, y, z, 'a,b,c,d' or auto: plane that the result is symmetric to; may be given up to three times")(
     "symmetry-tolerance", po::value<double>()->default_value(QM::Quadrangulation_options().symmetry_tolerance),
     "largest distance of IN from its mirror image, over the diagonal of its box");
 }
@@ -318,6 +325,65 @@ inline void read_singularities(const std::string& filename, Quadrangulation& q)
   }
 }
 
+inline void read_index_sums(const std::string& filename, Quadrangulation& q)
+{
+  for(const QM::Number_row& row : read_rows(filename))
+  {
+    const std::vector<double>& n = row.numbers;
+    if(n.size() != 5)
+      throw Unusable_input(place(filename, row.line) + ": a line has five numbers (x y z radius sum).");
+    QM::Index_guide g;
+    g.point = point(n);
+    g.radius = n[3];
+    g.index = static_cast<int>(n[4]);
+    g.is_sum = true;
+    g.name = "line " + std::to_string(row.line) + " of " + filename;
+    if(!(g.radius > 0))
+      throw Unusable_input(place(filename, row.line) + ": the radius is not positive.");
+    const double most = 1e6; // irregular vertices that anybody could mean
+    if(!(std::abs(n[4]) <= most) || n[4] != g.index)
+      throw Unusable_input(place(filename, row.line) + ": the sum is not a whole number.");
+    q.options.index_guides.push_back(g);
+  }
+}
+
+inline void read_connections(const std::string& filename, Quadrangulation& q)
+{
+  for(const QM::Number_row& row : read_rows(filename))
+  {
+    const std::vector<double>& n = row.numbers;
+    if(n.size() != 6)
+      throw Unusable_input(place(filename, row.line) + ": a line has six numbers (x y z x y z).");
+    QM::Guide_connection c;
+    c.from = point(n);
+    c.to = Point_3(n[3], n[4], n[5]);
+    c.name = "line " + std::to_string(row.line) + " of " + filename;
+    q.options.connections.push_back(c);
+  }
+}
+
+// One guide for each component: a point of it, and an infinite radius.
+inline void forbid_other_singularities(const Mesh& mesh, Quadrangulation& q)
+{
+  std::map<Mesh::Face_index, std::size_t> component;
+  const std::size_t n =
+    CGAL::Polygon_mesh_processing::connected_components(mesh, boost::make_assoc_property_map(component));
+  std::vector<char> is_done(n, 0);
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    if(is_done[component[f]])
+      continue;
+    is_done[component[f]] = 1;
+    QM::Index_guide g;
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    g.point =
+      CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    g.radius = std::numeric_limits<double>::infinity();
+    g.name = "--only-singularities";
+    q.options.index_guides.push_back(g);
+  }
+}
+
 inline QM::Symmetry_plane read_plane(const std::string& text)
 {
   if(text == "auto")
@@ -369,6 +435,12 @@ inline void read(const command_line::Arguments& args, const Input& in, Quadrangu
     }
   if(args.has("singularities"))
     read_singularities(args.value<std::string>("singularities"), q);
+  if(args.has("only-singularities"))
+    forbid_other_singularities(in.mesh, q);
+  if(args.has("index-sums"))
+    read_index_sums(args.value<std::string>("index-sums"), q);
+  if(args.has("connect"))
+    read_connections(args.value<std::string>("connect"), q);
   if(args.has("symmetry"))
     for(const std::string& text : args.value<std::vector<std::string>>("symmetry"))
       o.symmetry_planes.push_back(read_plane(text));

@@ -10,6 +10,7 @@
 // represents the triangle mesh that it stands for.
 
 #include "command_line.h"
+#include "quad_mesh_files.h"
 #include "scene_files.h"
 #include "triangle_input.h"
 
@@ -238,6 +239,7 @@ int main(int argc, char* argv[])
         "worst", po::value<long long>()->default_value(10), "number of worst quads to list")(
         "json", po::value<std::string>(), "file for the figures as one flat JSON object");
       command_line::add_scene_options(options);
+      command_line::add_quad_mesh_options(options);
       command_line::Arguments args("quad_mesh_statistics", "measures the quad mesh IN", { "IN" }, options);
       if(!args.parse(argc, argv))
         return static_cast<int>(command_line::done);
@@ -246,6 +248,7 @@ int main(int argc, char* argv[])
       const int number_of_worst = static_cast<int>(args.whole_number("worst", 0, (std::numeric_limits<int>::max)()));
 
       command_line::check_scene_files(args);
+      const int digits = command_line::check_quad_mesh_options(args);
 
       std::vector<Point_3> points;
       std::vector<std::vector<std::size_t>> polygons;
@@ -283,6 +286,7 @@ int main(int argc, char* argv[])
         report_quality(qm, report, number_of_worst);
         if(args.has("reference"))
           report_deviation(qm, reference, sharp_angle, directions, report);
+        command_line::write_patches(args, qm, digits);
       }
       if(command_line::shows_scene(args))
         write_page(args, report, qm, reference, points, polygons);

@@ -9,6 +9,7 @@
 // Makes a quad mesh out of a triangle mesh: the whole line, as a program.
 
 #include "command_line.h"
+#include "group_options.h"
 #include "guide_options.h"
 #include "quad_mesh_files.h"
 #include "scene_files.h"
@@ -18,8 +19,10 @@
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 
+#include <array>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <string>
 
 namespace QM = CGAL::Quad_meshing;
@@ -51,22 +54,14 @@ void write_field(std::ostream& out, const std::string& filename, const QM::Quadr
   }
 }
 
-// The triangles with the integer-grid map as texture coordinates, three for each triangle.
+// The triangles with the integer-grid map as texture coordinates.
 void write_map(std::ostream& out, const QM::Quadrangulation_surface& q)
 {
-  for(Mesh::Vertex_index v : q.mesh.vertices())
-    out << "v " << q.mesh.point(v) << "\n";
-  std::size_t corners = 0;
-  for(Mesh::Face_index f : q.mesh.faces())
-  {
-    std::string face = "f";
-    for(Mesh::Halfedge_index h : CGAL::halfedges_around_face(q.mesh.halfedge(f), q.mesh))
-    {
-      out << "vt " << q.uv[h] << "\n";
-      face += " " + std::to_string(std::size_t(q.mesh.target(h)) + 1) + "/" + std::to_string(++corners);
-    }
-    out << face << "\n";
-  }
+  QM::Obj_content<Mesh> content;
+  content.texture = [&](Mesh::Halfedge_index h) {
+    return std::array<double, 2>{ { CGAL::to_double(q.uv[h].x()), CGAL::to_double(q.uv[h].y()) } };
+  };
+  QM::write_obj(out, q.mesh, content);
 }
 
 QM::Flat_json figures(const QM::Quadrangulation_result& r)
@@ -152,6 +147,7 @@ int main(int argc, char* argv[])
       command_line::add_scene_options(options);
       command_line::add_quad_mesh_options(options);
       guide_options::add(options);
+      group_options::add(options);
       command_line::Arguments args("quadrangulate", "makes a quad mesh of the triangle mesh IN", { "IN", "OUT" },
                                    options);
       if(!args.parse(argc, argv))
@@ -220,6 +216,9 @@ int main(int argc, char* argv[])
       q.options.random_seed = args.random_seed();
 
       guide_options::read(args, { tm, args.positional(0), reading }, q);
+      std::optional<group_options::Groups> groups;
+      if(args.has("groups"))
+        groups.emplace(args, tm, reading, q);
       if(args.has("time-limit"))
         q.options.maximum_running_time = args.positive_number("time-limit");
 
@@ -248,7 +247,10 @@ int main(int argc, char* argv[])
       }
       if(q.quads().mesh.number_of_faces() > 0)
       {
-        command_line::write_mesh(args.positional(1), q.quads().mesh, digits);
+        if(groups && QM::internal::file_extension(args.positional(1)) == "obj")
+          groups->write(args.positional(1), q, digits);
+        else
+          command_line::write_mesh(args.positional(1), q.quads().mesh, digits);
         command_line::write_patches(args, q.quads().mesh, digits);
       }
 

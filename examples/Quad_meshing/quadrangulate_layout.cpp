@@ -10,11 +10,14 @@
 
 #include "command_line.h"
 #include "quad_mesh_files.h"
+#include "scene_files.h"
 
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Layout/surface_layout_files.h>
+#include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,6 +26,8 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
@@ -120,6 +125,39 @@ QM::Flat_json figures(const QM::Layout_quadrangulation_result& result, const QM:
   return json;
 }
 
+// What the page shows: the mesh with its features and the layout as it was given, and the quads.
+void write_scene(const command_line::Arguments& args, const QM::Flat_json& figures, const std::string& message,
+                 const Mesh& tm, const Mesh::Property_map<Mesh::Edge_index, bool>& is_sharp,
+                 const QM::Surface_layout& layout, const Mesh& qm)
+{
+  QM::Scene scene;
+  scene.message = message;
+  scene.is_side_by_side = true;
+  scene.layers.push_back(QM::make_display_layer(tm, "triangles", "Input", scene));
+  scene.layers.push_back(QM::make_edges_layer(
+    tm, [&](Mesh::Edge_index e) { return bool(is_sharp[e]); }, "features", "Input"));
+  scene.layers.back().color = "#c02020";
+  auto point = [&](const QM::Surface_layout::Place& p)
+  {
+    return p.vertex == QM::Surface_layout::none ? Point_3(p.point[0], p.point[1], p.point[2])
+                                                : tm.point(Mesh::Vertex_index(Mesh::size_type(p.vertex)));
+  };
+  std::vector<std::vector<Point_3>> arcs;
+  for(const QM::Surface_layout::Arc& a : layout.arcs)
+  {
+    arcs.emplace_back(1, point(layout.nodes[a.source]));
+    for(const QM::Surface_layout::Place& p : a.way)
+      arcs.back().push_back(point(p));
+    arcs.back().push_back(point(layout.nodes[a.target]));
+  }
+  scene.layers.push_back(QM::make_polylines_layer(arcs, "arcs as they are given", "Layout"));
+  scene.layers.back().color = "#d07000";
+  for(QM::Scene_layer& layer : scene.layers)
+    layer.side = QM::Scene_side::LEFT;
+  QM::add_quad_mesh_layers(scene, qm);
+  command_line::write_scene_files(args, figures, scene);
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -146,6 +184,8 @@ int main(int argc, char* argv[])
         "save-layout", po::value<std::string>(), "file for the layout, in the format of layouts")(
         "strict", "exit with 1 unless all that was asked for was met")(
         "json", po::value<std::string>(), "file for the figures of the run as one flat JSON object");
+      command_line::add_scene_options(options);
+      command_line::add_quad_mesh_options(options);
       command_line::Arguments args("quadrangulate_layout",
                                    "makes a quad mesh of the triangle mesh MESH along LAYOUT (a layout, an OBJ file of "
                                    "curves, or a coarse quad mesh) and writes OUT",
@@ -175,6 +215,8 @@ int main(int argc, char* argv[])
       for(const char* file : { "save-layout", "json" })
         if(args.has(file))
           command_line::check_output(args.value<std::string>(file));
+      command_line::check_scene_files(args);
+      const int digits = command_line::check_quad_mesh_options(args);
       if(args.has("save-layout"))
       {
         command_line::write_file(args.value<std::string>("save-layout"),
@@ -215,7 +257,10 @@ int main(int argc, char* argv[])
         std::cerr << "quadrangulate_layout: " << args.positional(0) << ": " << result.message << std::endl;
         return command_line::not_valid;
       }
-      command_line::write_mesh(args.positional(2), qm);
+      command_line::write_mesh(args.positional(2), qm, digits);
+      command_line::write_patches(args, qm, digits);
+      if(command_line::shows_scene(args))
+        write_scene(args, figures(result, quality, timer.time()), result.message, tm, is_sharp, layout, qm);
       std::cout << result.message << "\n"
                 << command_line::count_of(result.quads, "quad", "quads") << ", energy " << result.energies.front()
                 << " before and " << result.energies.back() << " after "

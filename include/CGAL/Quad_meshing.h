@@ -38,6 +38,7 @@
 #include <CGAL/Quad_meshing/Geodesics/certify_distances.h>
 #include <CGAL/Quad_meshing/Geodesics/isolines.h>
 #include <CGAL/Quad_meshing/Geodesics/refine_distance_field.h>
+#include <CGAL/Quad_meshing/Guides/Guide_connection.h>
 #include <CGAL/Quad_meshing/Guides/Guide_curve.h>
 #include <CGAL/Quad_meshing/Guides/Index_guide.h>
 #include <CGAL/Quad_meshing/Guides/Polyline_tracer.h>
@@ -45,11 +46,15 @@
 #include <CGAL/Quad_meshing/Guides/Symmetry_plane.h>
 #include <CGAL/Quad_meshing/Guides/cut_triangles.h>
 #include <CGAL/Quad_meshing/Guides/mirror_triangles.h>
+#include <CGAL/Quad_meshing/IO/Attributes_on_mesh.h>
 #include <CGAL/Quad_meshing/IO/Flat_json.h>
 #include <CGAL/Quad_meshing/IO/Guide_reading_result.h>
+#include <CGAL/Quad_meshing/IO/Mesh_attributes.h>
 #include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
 #include <CGAL/Quad_meshing/IO/Scene.h>
 #include <CGAL/Quad_meshing/IO/Scene_writing_result.h>
+#include <CGAL/Quad_meshing/IO/find_attribute_borders.h>
+#include <CGAL/Quad_meshing/IO/read_mesh_attributes.h>
 #include <CGAL/Quad_meshing/IO/read_number_rows.h>
 #include <CGAL/Quad_meshing/IO/read_polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/read_polylines.h>
@@ -58,6 +63,7 @@
 #include <CGAL/Quad_meshing/IO/scene_layers.h>
 #include <CGAL/Quad_meshing/IO/write_grouped_obj.h>
 #include <CGAL/Quad_meshing/IO/write_html_page.h>
+#include <CGAL/Quad_meshing/IO/write_obj.h>
 #include <CGAL/Quad_meshing/IO/write_png_picture.h>
 #include <CGAL/Quad_meshing/IO/write_vtk.h>
 #include <CGAL/Quad_meshing/Layout/Arc_subdivision.h>
@@ -98,10 +104,12 @@
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
+#include <CGAL/Quad_meshing/Quad_mesh/patch_coordinates.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
+#include <CGAL/Quad_meshing/Quad_mesh/transfer_values.h>
 #include <CGAL/Quad_meshing/Smoothing/Quad_mesh_smoothing_result.h>
 #include <CGAL/Quad_meshing/Smoothing/Quad_mesh_status.h>
 #include <CGAL/Quad_meshing/Smoothing/Smoothing_reference.h>

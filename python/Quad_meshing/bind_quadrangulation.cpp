@@ -7,6 +7,7 @@
 // Author(s)     : The Quad_meshing authors
 
 #include "bindings.h"
+#include "guides.h"
 #include "numpy_meshes.h"
 
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
@@ -48,13 +49,17 @@ struct Interruptible_visitor : QM::Default_visitor
   }
 };
 
-std::unique_ptr<Run> quadrangulate(const Doubles& points, const Integers& triangles, double target_quads,
-                                   double target_edge_length, double sharp_angle, bool align_boundary,
-                                   const std::optional<Integers>& feature_edges,
-                                   const std::optional<Doubles>& directions, double curvature_alignment,
-                                   const std::string& field, const std::string& rounding, bool optimize_structure,
-                                   bool work_on_input, unsigned int threads, unsigned int seed,
-                                   const std::optional<double>& time_limit)
+std::unique_ptr<Run>
+quadrangulate(const Doubles& points, const Integers& triangles, double target_quads, double target_edge_length,
+              double sharp_angle, bool align_boundary, const std::optional<Integers>& feature_edges,
+              const std::optional<Doubles>& directions, double curvature_alignment, const std::string& field,
+              const std::string& rounding, bool optimize_structure, bool semi_regular, bool work_on_input,
+              unsigned int threads, unsigned int seed, const std::optional<double>& time_limit,
+              const std::optional<Integers>& curve_edges, const Curve_arrays& curves, const Curve_arrays& strokes,
+              double stroke_weight, const std::optional<Doubles>& indices, const std::optional<Doubles>& index_sums,
+              const std::optional<Doubles>& connections, const std::optional<Doubles>& face_lengths,
+              const std::optional<Doubles>& vertex_lengths, const std::optional<Doubles>& size_discs,
+              const std::string& sizing, const std::vector<py::object>& symmetry, double symmetry_tolerance)
 {
   auto run = std::make_unique<Run>();
   run->input = triangle_mesh(points, triangles);
@@ -63,6 +68,30 @@ std::unique_ptr<Run> quadrangulate(const Doubles& points, const Integers& triang
   QM::Quadrangulation& q = *run->quadrangulation;
   if(feature_edges)
     q.set_feature_edges(tm, marked_edges(tm, feature_edges));
+  if(curve_edges)
+    q.set_curve_edges(tm, marked_edges(tm, curve_edges, "curve_edges"));
+  if(face_lengths)
+  {
+    const std::vector<double> lengths = lengths_of(*face_lengths, "face_lengths", tm.number_of_faces());
+    q.set_face_lengths(tm, boost::make_iterator_property_map(lengths.begin(), get(boost::face_index, tm)));
+  }
+  if(vertex_lengths)
+  {
+    const std::vector<double> lengths = lengths_of(*vertex_lengths, "vertex_lengths", tm.number_of_vertices());
+    q.set_vertex_lengths(tm, boost::make_iterator_property_map(lengths.begin(), get(boost::vertex_index, tm)));
+  }
+  const QM::Sizing_method sizings[] = { QM::Sizing_method::CONSTANT, QM::Sizing_method::CURVATURE,
+                                        QM::Sizing_method::FEATURE_SIZE };
+  q.options.sizing_method = sizings[choice("sizing", sizing, { "constant", "curvature", "features" })];
+  q.options.feature_curves = curves_of<QM::Guide_curve>(curves, "curves");
+  q.options.strokes = curves_of<QM::Guide_stroke>(strokes, "strokes");
+  for(QM::Guide_stroke& stroke : q.options.strokes)
+    stroke.weight = stroke_weight;
+  q.options.index_guides = index_guides_of(indices, index_sums);
+  q.options.connections = connections_of(connections);
+  q.options.size_discs = size_discs_of(size_discs);
+  q.options.symmetry_planes = symmetry_planes_of(symmetry);
+  q.options.symmetry_tolerance = symmetry_tolerance;
   if(directions)
   {
     const auto d = directions_of(*directions, tm.number_of_faces());
@@ -90,6 +119,7 @@ std::unique_ptr<Run> quadrangulate(const Doubles& points, const Integers& triang
     methods[choice("field", field, { "representation", "greedy", "greedy-and-search", "polished" })];
   q.options.rounding_method = roundings[choice("rounding", rounding, { "direct", "greedy", "lattice" })];
   q.options.optimize_structure = optimize_structure;
+  q.options.semi_regular = semi_regular;
   q.options.work_on_input = work_on_input;
   q.options.number_of_threads = threads;
   q.options.random_seed = seed;
@@ -193,9 +223,12 @@ void bind_quadrangulation(py::module_& module)
       "Whether all that was asked for was met.")
     .def_property_readonly(
       "status", [](const Run& r) { return std::string(QM::status_name(r.result.status)); },
-      "'valid', 'not_valid', 'failed', 'stopped' or 'out_of_time'.")
+      "'valid', 'not_valid', 'failed', 'refused', 'stopped' or 'out_of_time'.")
     .def_property_readonly(
       "message", [](const Run& r) { return r.result.message; }, "How it ended, as a sentence.")
+    .def_property_readonly(
+      "unmet_guides", [](const Run& r) { return r.result.unmet_guides; },
+      "The guides that the mesh does not meet, a list of sentences.")
     .def_property_readonly("figures", &figures, "The figures of the run as a dict; times in seconds.")
     .def_property_readonly(
       "points", [](const Run& r) { return points_array(r.quads().mesh); }, "The points of the quads, shape (n, 3).")
@@ -238,13 +271,20 @@ void bind_quadrangulation(py::module_& module)
       "write_png", [](const Run& r, const std::string& f) { write_scene(r, f, true); }, py::arg("filename"),
       "Writes a picture of the quads, 640 x 480 pixels.");
 
-  module.def("quadrangulate", &quadrangulate, py::arg("points"), py::arg("triangles"), py::kw_only(),
-             py::arg("target_quads") = 4000., py::arg("target_edge_length") = 0., py::arg("sharp_angle") = 40.,
-             py::arg("align_boundary") = true, py::arg("feature_edges") = py::none(),
-             py::arg("directions") = py::none(), py::arg("curvature_alignment") = 1., py::arg("field") = "polished",
-             py::arg("rounding") = "greedy", py::arg("optimize_structure") = false, py::arg("work_on_input") = false,
-             py::arg("threads") = 1, py::arg("seed") = 0, py::arg("time_limit") = py::none(),
-             R"(Makes a quad mesh of a triangle mesh. Returns a Quadrangulation; look at its is_valid.
+  module.def(
+    "quadrangulate", &quadrangulate, py::arg("points"), py::arg("triangles"), py::kw_only(),
+    py::arg("target_quads") = 4000., py::arg("target_edge_length") = 0., py::arg("sharp_angle") = 40.,
+    py::arg("align_boundary") = true, py::arg("feature_edges") = py::none(), py::arg("directions") = py::none(),
+    py::arg("curvature_alignment") = 1., py::arg("field") = "polished", py::arg("rounding") = "greedy",
+    py::arg("optimize_structure") = false, py::arg("semi_regular") = false, py::arg("work_on_input") = false,
+    py::arg("threads") = 1, py::arg("seed") = 0, py::arg("time_limit") = py::none(),
+    py::arg("curve_edges") = py::none(), py::arg("curves") = Curve_arrays(), py::arg("strokes") = Curve_arrays(),
+    py::arg("stroke_weight") = QM::Guide_stroke().weight, py::arg("indices") = py::none(),
+    py::arg("index_sums") = py::none(), py::arg("connections") = py::none(), py::arg("face_lengths") = py::none(),
+    py::arg("vertex_lengths") = py::none(), py::arg("size_discs") = py::none(), py::arg("sizing") = "constant",
+    py::arg("symmetry") = std::vector<py::object>(),
+    py::arg("symmetry_tolerance") = QM::Quadrangulation_options().symmetry_tolerance,
+    R"(Makes a quad mesh of a triangle mesh. Returns a Quadrangulation; look at its is_valid.
 
 points: (n, 3), triangles: (m, 3), an oriented manifold.
 target_quads: about how many quads; counts only where target_edge_length is 0.
@@ -256,7 +296,21 @@ directions: (m, 3), a vector in the plane of each triangle that the quads follow
 curvature_alignment: from 0 to 1, how much quads follow the directions in which the surface bends least.
 field: 'representation', 'greedy', 'greedy-and-search' or 'polished'. rounding: 'direct', 'greedy' or 'lattice'.
 optimize_structure: whether the base complex is made coarser.
+semi_regular: whether the quads are then made anew along it.
 work_on_input: whether field and map lie on the given triangles instead of a working mesh.
 threads, seed: the result does not depend on the number of threads.
-time_limit: in seconds; the best mesh until then is the result.)");
+time_limit: in seconds; the best mesh until then is the result.
+
+Guides; what is not met stands in Quadrangulation.unmet_guides. Points are projected to the surface.
+curve_edges: (k, 2), pairs of points: edges that become chains of quad edges besides those that are detected.
+curves: a list of arrays (n, 3), polylines that become chains of quad edges; closed if the last point is the first one.
+strokes: the same; the quads follow their direction. stroke_weight: positive; inf: exactly.
+indices: (n, 4) or (n, 5), rows x, y, z, index in quarters (1: three quads, -1: five, 0: none irregular), and, for index
+0, the radius of a region without irregular vertices.
+index_sums: (n, 5), rows x, y, z, radius, sum of the indices in that region.
+connections: (n, 6), rows x, y, z, x, y, z: places of irregular vertices that a straight chain of quad edges joins.
+face_lengths: (m,), vertex_lengths: (n,): lengths of quad edges, 0 where there is no wish.
+size_discs: (n, 5), rows x, y, z, radius, length.
+sizing: 'constant', 'curvature' or 'features': what lengths adapt to elsewhere.
+symmetry: a list of planes: 'x', 'y', 'z', 'auto' or (a, b, c, d). symmetry_tolerance: over the diagonal.)");
 }

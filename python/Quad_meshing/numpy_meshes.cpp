@@ -15,15 +15,11 @@
 
 namespace numpy_meshes {
 
-namespace {
-
 void check_shape(const py::array& array, const std::string& name, py::ssize_t columns)
 {
   if(array.ndim() != 2 || array.shape(1) != columns)
     throw std::invalid_argument(name + " must have the shape (n, " + std::to_string(columns) + ")");
 }
-
-} // namespace
 
 std::vector<Point_3> points_of(const Doubles& array, const std::string& name)
 {
@@ -67,12 +63,12 @@ Mesh mesh_of(const Doubles& points, const Integers& polygons, py::ssize_t corner
   return mesh;
 }
 
-Edge_marks marked_edges(Mesh& mesh, const std::optional<Integers>& edges)
+Edge_marks marked_edges(Mesh& mesh, const std::optional<Integers>& edges, const std::string& name)
 {
-  Edge_marks marks = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_marked", false).first;
+  Edge_marks marks = mesh.add_property_map<Mesh::Edge_index, bool>("e:" + name, false).first;
   if(!edges)
     return marks;
-  check_shape(*edges, "feature_edges", 2);
+  check_shape(*edges, name, 2);
   const auto a = edges->unchecked<2>();
   const auto n = static_cast<long long>(mesh.number_of_vertices());
   for(py::ssize_t i = 0; i < a.shape(0); ++i)
@@ -82,7 +78,7 @@ Edge_marks marked_edges(Mesh& mesh, const std::optional<Integers>& edges)
       h = mesh.halfedge(Mesh::Vertex_index(static_cast<Mesh::size_type>(a(i, 0))),
                         Mesh::Vertex_index(static_cast<Mesh::size_type>(a(i, 1))));
     if(h == Mesh::null_halfedge())
-      throw std::invalid_argument("feature_edges: row " + std::to_string(i) + " is no edge of the mesh");
+      throw std::invalid_argument(name + ": row " + std::to_string(i) + " is no edge of the mesh");
     marks[mesh.edge(h)] = true;
   }
   return marks;

@@ -34,6 +34,9 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef py::array_t<double, py::array::c_style | py::array::forcecast> Doubles;
 typedef py::array_t<long long, py::array::c_style | py::array::forcecast> Integers;
 
+// Raises ValueError unless an array has the shape (n, columns).
+void check_shape(const py::array& array, const std::string& name, py::ssize_t columns);
+
 // The points of an array of shape (n, 3).
 std::vector<Point_3> points_of(const Doubles& array, const std::string& name);
 
@@ -46,7 +49,7 @@ inline Mesh quad_mesh(const Doubles& points, const Integers& quads) { return mes
 
 // Marks the edges of an array of shape (k, 2) of vertex numbers.
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
-Edge_marks marked_edges(Mesh& mesh, const std::optional<Integers>& edges);
+Edge_marks marked_edges(Mesh& mesh, const std::optional<Integers>& edges, const std::string& name = "feature_edges");
 
 // Vectors of an array of shape (m, 3), none for rows of zeros or of what is not finite.
 std::vector<std::optional<Vector_3>> directions_of(const Doubles& array, std::size_t number_of_faces);

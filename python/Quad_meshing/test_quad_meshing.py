@@ -201,3 +201,66 @@ def test_docstrings():
         if not name.startswith("_"):
             assert len(getattr(qm, name).__doc__) > 20, name
     assert "(m, 3)" in qm.quadrangulate.__doc__
+
+
+def ball(n):
+    """A box of n x n squares a side, blown up to the unit ball."""
+    points, triangles = box(n)
+    points = points - n / 2
+    return points / np.linalg.norm(points, axis=1)[:, None], triangles
+
+
+def share_on_edges(run, curve):
+    """The share of the points of a curve that lie on edges of quads, within a twentieth of an edge."""
+    ends = np.unique(np.sort(np.concatenate([run.quads[:, [k, (k + 1) % 4]] for k in range(4)]), axis=1), axis=0)
+    a, b = run.points[ends[:, 0]], run.points[ends[:, 1]]
+    length = np.linalg.norm(b - a, axis=1)
+    on = 0
+    for p in curve:
+        t = np.clip(((p - a) * (b - a)).sum(axis=1) / length**2, 0, 1)
+        on += np.any(np.linalg.norm(a + t[:, None] * (b - a) - p, axis=1) < 0.05 * length)
+    return on / len(curve)
+
+
+def test_guides():
+    points, triangles = ball(12)
+    t = np.linspace(0, 2, 60)
+    curve = np.stack([np.cos(t), 0.8 * np.sin(t), 0.6 * np.sin(t)], axis=1)
+    pole = np.array([0, -0.6, 0.8])
+    run = qm.quadrangulate(points, triangles, target_quads=800, curves=[curve], indices=[[*pole, 1]])
+    assert run.is_valid and run.unmet_guides == [], run.message
+    on_surface = curve / np.linalg.norm(curve, axis=1)[:, None]
+    assert share_on_edges(run, on_surface * np.linalg.norm(run.points, axis=1).mean()) > 0.95
+    nearest = np.linalg.norm(run.points - pole, axis=1).argmin()
+    assert (run.quads == nearest).sum() == 3
+
+    half = qm.quadrangulate(points, triangles, target_quads=600, symmetry=["z"])
+    assert half.is_valid
+    there = set(map(tuple, half.points))
+    assert all((x, y, -z) in there for x, y, z in half.points)
+
+    lengths = np.where(points[:, 2] > 0, 1.0, 2.0)
+    graded = qm.quadrangulate(points, triangles, target_quads=1000, vertex_lengths=lengths)
+    centers = graded.points[graded.quads].mean(axis=1)
+    assert graded.is_valid and (centers[:, 2] > 0.2).sum() > 2 * (centers[:, 2] < -0.2).sum()
+
+    # edges of the input, half of which are no curve of their own
+    ring = [k for k in range(len(points)) if abs(points[k, 2]) < 1e-12]
+    ring.sort(key=lambda k: math.atan2(points[k, 1], points[k, 0]))
+    edges = [[ring[i - 1], ring[i]] for i in range(len(ring))]
+    run = qm.quadrangulate(points, triangles, target_quads=800, curve_edges=edges)
+    assert run.is_valid and run.unmet_guides == [] and share_on_edges(run, points[ring]) > 0.95
+
+    refused = qm.quadrangulate(points, triangles, target_quads=800, indices=[[0, 0, 1, 0, 9]])
+    assert not refused.is_valid and refused.status == "refused" and "8 are missing" in refused.message
+
+
+@pytest.mark.parametrize("wrong", [
+    {"curves": [[[0, 0, 1]]]}, {"curves": [np.zeros((3, 2))]}, {"indices": [[0, 0, 1]]},
+    {"indices": [[0, 0, 1, 0.5]]}, {"index_sums": [[0, 0, 1, -1, 2]]}, {"size_discs": [[0, 0, 1, 0, 0]]},
+    {"symmetry": ["w"]}, {"symmetry": [3]}, {"face_lengths": [1.0]}, {"vertex_lengths": [[1.0]]},
+    {"curve_edges": [[0, 0]]}, {"sizing": "none"}, {"strokes": [[[0, 0, 1], [1, 0, 0]]], "stroke_weight": -1}])
+def test_wrong_guides(wrong):
+    points, triangles = ball(3)
+    with pytest.raises(ValueError):
+        qm.quadrangulate(points, triangles, target_quads=100, **wrong)

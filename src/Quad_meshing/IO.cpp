@@ -9,6 +9,7 @@
 // The kernels of the room IO.
 
 #include <CGAL/Quad_meshing/IO/internal/Triangle_surface_impl.h>
+#include <CGAL/Quad_meshing/IO/internal/read_mesh_attributes_impl.h>
 #include <CGAL/Quad_meshing/IO/internal/read_polygon_soup_impl.h>
 #include <CGAL/Quad_meshing/IO/internal/read_rosy_field_impl.h>
 #include <CGAL/Quad_meshing/IO/internal/read_soup_file_impl.h>

@@ -74,7 +74,15 @@ def main():
     run("cube.off", "quads.obj", "--target-quads", "150", "--patches", "patches.obj", "--vtk", "quads.vtk", "--save-field",
         "cube.rosy", "--digits", "6")
     quads, patches = obj_lines("quads.obj"), obj_lines("patches.obj")
-    check(sorted(map(sorted, patches["f"])) == sorted(map(sorted, quads["f"])), "the patches are not the quads")
+    corners = [[tuple(map(int, c.split("/"))) for c in f] for f in patches["f"]]
+    check(sorted(sorted(str(c[0]) for c in f) for f in corners) == sorted(map(sorted, quads["f"])), "the patches are not the quads")
+    texture = [tuple(map(float, t)) for t in patches["vt"]]
+    for f in corners:
+        t = [texture[c[1] - 1] for c in f]
+        area = sum(t[k - 1][0] * t[k][1] - t[k - 1][1] * t[k][0] for k in range(4)) / 2
+        check(area == 1 and all(x == round(x) >= 0 for p in t for x in p), "a quad is no square of the grid: %s" % t)
+    # each of the six patches is one square of as many quads as it has
+    check(max(max(t) for t in texture) == round((len(corners) / 6) ** 0.5), "the grids of the patches are not as large as these")
     names = [g[0] for g in patches["g"]]
     check(names == ["patch_%d" % i for i in range(6)] + ["separatrices"], "the groups are %s" % names)
     length = round((len(quads["f"]) / 6) ** 0.5)
@@ -82,6 +90,39 @@ def main():
     check(all(len(re.sub(r"[-.]|e.*", "", x)) <= 7 for p in quads["v"] for x in p), "there are more than six digits")
     run("cube.off", "quads.obj", "--target-quads", "150")
     check(any(len(x) > 12 for p in obj_lines("quads.obj")["v"] for x in p), "there are no long numbers")
+
+    # Materials, texture coordinates and colors reach the quads; the border of the materials is a chain of quad edges.
+    points, faces = box(8)
+    with open("painted.obj", "w", encoding="ascii") as file:
+        file.write("mtllib paint.mtl\n")
+        file.writelines("v %r %r %r %r 0 1\n" % (p[0], p[1], p[2], p[0]) for p in points)
+        file.writelines("vt %r %r\n" % (p[0] + p[2], p[1]) for p in points)
+        for low in (True, False):
+            file.write("usemtl %s\n" % ("low" if low else "high"))
+            for f in faces:
+                if (sum(points[i][2] for i in f) / 3 < 0.375) == low:
+                    file.write("f " + " ".join("%d/%d" % (i + 1, i + 1) for i in f) + "\n")
+    done = run("painted.obj", "painted_quads.obj", "--groups", "--target-quads", "300")
+    check("32 edges lie on borders" in done.stderr and "32 of materials" in done.stderr, "the borders are not told")
+    painted, material, levels = obj_lines("painted_quads.obj"), None, {}
+    vertices = [tuple(map(float, v)) for v in painted["v"]]
+    texture = [tuple(map(float, t)) for t in painted["vt"]]
+    check(painted["mtllib"] == [["paint.mtl"]], "the library of materials is lost")
+    check(all(abs(v[3] - v[0]) < 1e-6 and v[4] == 0 and abs(v[5] - 1) < 1e-9 for v in vertices), "the colors are wrong")
+    with open("painted_quads.obj", encoding="ascii") as file:
+        for line in file:
+            words = line.split()
+            if words[0] == "usemtl":
+                material = words[1]
+            if words[0] == "f":
+                for corner in words[1:]:
+                    v, t = (int(x) - 1 for x in corner.split("/"))
+                    levels.setdefault(material, []).append(vertices[v][2])
+                    expected = (vertices[v][0] + vertices[v][2], vertices[v][1])
+                    check(max(abs(a - b) for a, b in zip(texture[t], expected)) < 1e-6, "a texture coordinate is wrong")
+    check(set(levels) == {"low", "high"} and abs(max(levels["low"]) - 0.375) < 1e-6 and abs(min(levels["high"]) - 0.375) < 1e-6,
+          "the border of the materials is not where it was")
+    run("painted.obj", "painted_quads.obj", "--groups=colors", code=2)
 
     # A field goes in again; with the triangles that it lies on, so do its eight singularities.
     with open("cube.rosy", encoding="ascii") as file:

@@ -266,6 +266,8 @@ def main():
         return os.path.join(folder, name)
 
     write_off("cube.off", *box_mesh((3, 3, 3), True))
+    points, faces = box_mesh((1, 1, 1), False)
+    write_off("coarse.off", [[3 * x for x in p] for p in points], faces)  # a layout: the sides of the cube
     # One face is a triangle; the name must not confuse the reader of the page.
     write_off("quads.off", *box_mesh((4, 3, 2), False))
     points, faces = box_mesh((2, 2, 2), False)
@@ -282,6 +284,8 @@ def main():
     check_page(binary, "quads.html", ["quads", "irregular vertices"])
     run(program("quad_mesh_statistics"), "mixed <!--<script>.off", "--html", "mixed.html")
     check_page(binary, "mixed.html", ["faces"])
+    run(program("quadrangulate_layout"), "cube.off", "coarse.off", "layout.obj", "--quads", "600", "--html", "layout.html")
+    check_page(binary, "layout.html", ["triangles", "features", "arcs as they are given", "quads"])
     run(program("optimize_quad_structure"), "quads.off", "optimized.obj", "--html", "structure.html")
     check_page(binary, "structure.html", ["quads", "base complex"])
     run(program("geodesic_distance"), "cube.off", "distances.txt", "--vertices", "0", "--html", "distances.html")

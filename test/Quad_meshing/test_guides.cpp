@@ -34,6 +34,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -586,6 +587,206 @@ void test_indices()
   }
 }
 
+int sum_of_indices(const Mesh& qm, const Point_3& p, double radius)
+{
+  int sum = 0;
+  for(Vertex v : qm.vertices())
+    if(CGAL::squared_distance(qm.point(v), p) <= radius * radius)
+      sum += 4 - static_cast<int>(qm.degree(v));
+  return sum;
+}
+
+// Sums in regions of a closed surface: more and less than there would be, and none at all.
+void test_index_sums()
+{
+  const Mesh ball = make_mesh(icosphere(4)), ring = make_mesh(torus(80, 40, 1, 0.4));
+  struct Wish
+  {
+    const Mesh* mesh;
+    Point_3 point;
+    double radius;
+    int sum;
+  };
+  for(const Wish& w : { Wish{ &ball, Point_3(0, 0, 1), 0.9, 6 }, Wish{ &ball, Point_3(0, 0, 1), 0.9, 0 },
+                        Wish{ &ball, Point_3(0.6, 0, 0.8), 0.7, -1 }, Wish{ &ring, Point_3(1.4, 0, 0), 0.6, 2 },
+                        Wish{ &ring, Point_3(1.4, 0, 0), 0.6, -2 } })
+  {
+    QM::Index_guide g = index_guide(w.point, w.sum, w.radius);
+    g.is_sum = true;
+    Mesh qm;
+    const auto r = QM::quadrangulate(
+      *w.mesh, qm, params::index_guides(std::vector<QM::Index_guide>(1, g)).target_number_of_quads(1800));
+    std::cout << "sum " << w.sum << ": " << r.message << std::endl;
+    assert(r.is_valid() && is_valid(qm, *w.mesh));
+    assert(r.unmet_guides.empty() && sum_of_indices(qm, w.point, w.radius) == w.sum);
+  }
+  // A region that is the whole surface: the sum is known before.
+  QM::Index_guide all = index_guide(Point_3(0, 0, 1), 5, 10);
+  all.is_sum = true;
+  Mesh qm;
+  const auto r =
+    QM::quadrangulate(ball, qm, params::index_guides(std::vector<QM::Index_guide>(1, all)).target_number_of_quads(500));
+  std::cout << r.message << std::endl;
+  assert(r.status == QM::Quadrangulation_status::REFUSED && r.message.find("3 are missing") != std::string::npos);
+  all.radius = -1;
+  assert(QM::quadrangulate(ball, qm, params::index_guides(std::vector<QM::Index_guide>(1, all))).status ==
+         QM::Quadrangulation_status::INVALID_INPUT);
+}
+
+// Random wishes, on surfaces of genus 0 and 1: each is met, or the answer names it; if all indices are prescribed and
+// do not sum up to what the surface needs, there is no mesh, and the answer says how much is missing.
+void test_random_indices()
+{
+  std::mt19937 random(7);
+  auto number = [&](double low, double high)
+  { return low + (high - low) * static_cast<double>(random() % 100000) / 100000; };
+  int refused = 0, met = 0, unmet = 0;
+  for(int trial = 0; trial < 12; ++trial)
+  {
+    const bool is_ball = trial % 2 == 0, are_all_prescribed = trial % 3 == 0;
+    const Mesh tm =
+      is_ball
+        ? make_mesh(mapped(icosphere(4), [](const Point_3& p) { return Point_3(1.5 * p.x(), p.y(), 0.8 * p.z()); }))
+        : make_mesh(torus(80, 40, 1, 0.4));
+    std::vector<QM::Index_guide> guides;
+    int sum = 0, irregular = 0;
+    const std::size_t wanted = 1 + random() % 6;
+    while(guides.size() < wanted)
+    {
+      const Vertex v(static_cast<Mesh::size_type>(random() % tm.number_of_vertices()));
+      const bool is_near =
+        std::any_of(guides.begin(), guides.end(),
+                    [&](const QM::Index_guide& g) { return CGAL::squared_distance(g.point, tm.point(v)) < 0.36; });
+      if(is_near)
+        continue;
+      const int index = std::array<int, 4>{ { 1, 1, -1, 0 } }[random() % 4];
+      guides.push_back(index_guide(tm.point(v), index, index == 0 ? number(0.1, 0.3) : 0.));
+      guides.back().name = "wish " + std::to_string(guides.size());
+      sum += index;
+      irregular += index != 0;
+    }
+    if(are_all_prescribed)
+      guides.push_back(index_guide(guides.front().point, 0, std::numeric_limits<double>::infinity()));
+    Mesh qm;
+    const auto r = QM::quadrangulate(tm, qm, params::index_guides(guides).target_number_of_quads(2000));
+    std::cout << (is_ball ? "ball, " : "ring, ") << wanted << (are_all_prescribed ? " alone: " : ": ") << r.message
+              << std::endl;
+    const int needed = is_ball ? 8 : 0;
+    if(are_all_prescribed && sum != needed)
+    {
+      ++refused;
+      assert(r.status == QM::Quadrangulation_status::REFUSED);
+      assert(r.message.find(std::to_string(std::abs(needed - sum)) +
+                            (needed > sum ? " are missing" : " are too many")) != std::string::npos);
+      continue;
+    }
+    if(are_all_prescribed && !is_ball && irregular == 2) // of index 1 and -1: there is no such mesh of a torus
+    {
+      ++refused;
+      assert(r.status == QM::Quadrangulation_status::REFUSED && r.message.find("torus") != std::string::npos);
+      continue;
+    }
+    assert(r.is_valid() && is_valid(qm, tm));
+    for(std::size_t i = 0; i < wanted; ++i)
+    {
+      const QM::Index_guide& g = guides[i];
+      bool is_met = index_at(qm, g.point) == g.index;
+      if(g.index == 0)
+      {
+        is_met = true;
+        for(Vertex v : qm.vertices())
+          is_met = is_met && (qm.degree(v) == 4 || CGAL::squared_distance(qm.point(v), g.point) >= g.radius * g.radius);
+      }
+      const std::string name = "wish " + std::to_string(i + 1);
+      const bool is_named =
+        std::any_of(r.unmet_guides.begin(), r.unmet_guides.end(),
+                    [&](const std::string& s) { return (s + " ").find(name + " ") != std::string::npos; });
+      assert(is_met != is_named);
+      ++(is_met ? met : unmet);
+    }
+  }
+  std::cout << met << " met, " << unmet << " told, " << refused << " refused" << std::endl;
+  assert(refused > 0 && met > 8 * unmet);
+}
+
+// The number of edges of the straight chain from the vertex nearest to p to that nearest to q; 0 if there is none.
+int straight_chain(const Mesh& qm, const Point_3& p, const Point_3& q)
+{
+  auto nearest = [&](const Point_3& x)
+  {
+    return *std::min_element(qm.vertices().begin(), qm.vertices().end(),
+                             [&](Vertex a, Vertex b) {
+                               return CGAL::squared_distance(qm.point(a), x) < CGAL::squared_distance(qm.point(b), x);
+                             });
+  };
+  const Vertex from = nearest(p), to = nearest(q);
+  for(Mesh::Halfedge_index in : qm.halfedges_around_target(qm.halfedge(from)))
+  {
+    Mesh::Halfedge_index h = qm.opposite(in);
+    int steps = 1;
+    // the edge that leaves a vertex of four quads opposite to the one that came
+    for(; qm.target(h) != to && qm.degree(qm.target(h)) == 4 && steps < 1000; ++steps)
+      h = qm.next(qm.opposite(qm.next(h)));
+    if(qm.target(h) == to)
+      return steps;
+  }
+  return 0;
+}
+
+// Pairs of placed irregular vertices, joined by separatrices; a vertex and the border of a square.
+void test_connections()
+{
+  {
+    const Mesh tm =
+      make_mesh(mapped(icosphere(4), [](const Point_3& p) { return Point_3(1.4 * p.x(), p.y(), p.z()); }));
+    std::vector<QM::Index_guide> guides;
+    for(int i = 0; i < 8; ++i)
+    {
+      const Vector_3 v(i % 2 == 0 ? 0.55 : -0.6, i / 2 % 2 == 0 ? 0.5 : -0.45, i / 4 == 0 ? 0.77 : -0.7);
+      const Vector_3 u = v / std::sqrt(v.squared_length());
+      guides.push_back(index_guide(Point_3(1.4 * u.x(), u.y(), u.z()), 1));
+    }
+    QM::Quadrangulation q(tm, tm.points());
+    q.options.index_guides = guides;
+    q.options.target_number_of_quads = 1500;
+    for(const auto& pair : { std::make_pair(0, 1), std::make_pair(2, 6), std::make_pair(5, 7) })
+    {
+      QM::Guide_connection c;
+      c.from = guides[std::size_t(pair.first)].point;
+      c.to = guides[std::size_t(pair.second)].point;
+      q.options.connections.push_back(c);
+    }
+    const auto r = q.run();
+    std::cout << r.message << std::endl;
+    assert(r.is_valid() && r.unmet_guides.empty() && is_valid(q.quads().mesh, tm));
+    for(const QM::Guide_connection& c : q.options.connections)
+    {
+      const int n = straight_chain(q.quads().mesh, c.from, c.to);
+      std::cout << "a chain of " << n << " edges" << std::endl;
+      assert(n > 3 && index_at(q.quads().mesh, c.from) == 1 && index_at(q.quads().mesh, c.to) == 1);
+    }
+  }
+  {
+    // Without a vertex to be joined with: a point of its own is a vertex as well, and the border is met.
+    const Mesh tm = make_mesh(grid(20, 20));
+    QM::Quadrangulation q(tm, tm.points());
+    q.options.target_number_of_quads = 200;
+    q.options.connections.resize(1);
+    q.options.connections[0].from = Point_3(0.53, 0.52, 0);
+    q.options.connections[0].to = Point_3(0.53, 0, 0);
+    const auto r = q.run();
+    std::cout << r.message << std::endl;
+    assert(r.is_valid() && r.unmet_guides.empty() &&
+           straight_chain(q.quads().mesh, q.options.connections[0].from, q.options.connections[0].to) > 3);
+    // Both ends at one place; a coordinate that is none.
+    q.options.connections[0].to = q.options.connections[0].from;
+    const auto none = q.run();
+    assert(none.is_valid() && none.unmet_guides.size() == 1 && none.message.find("connection 1") != std::string::npos);
+    q.options.connections[0].to = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+    assert(q.run().status == QM::Quadrangulation_status::INVALID_INPUT);
+  }
+}
+
 // All of them at once, and twice the same.
 void test_together()
 {
@@ -667,6 +868,9 @@ int main(int argc, char** argv)
                      { "strokes", test_strokes },
                      { "symmetry", test_symmetry },
                      { "indices", test_indices },
+                     { "index_sums", test_index_sums },
+                     { "random_indices", test_random_indices },
+                     { "connections", test_connections },
                      { "together", test_together },
                      { "reading", test_reading } });
 }

@@ -261,7 +261,8 @@ void test_small_rims()
   assert(kept_edges(pin, 0.5) == 0);
 }
 
-// A crease in the middle of a sheet that fades out at both ends, about 2.4 long; its vertices lie alternately beside it.
+// A crease in the middle of a sheet that fades out at both ends, about 2.4 long; its vertices lie alternately beside
+// it.
 test_meshes::Soup fading_crease(double zigzag)
 {
   const test_meshes::Soup sheet = test_meshes::grid(40, 20, 4, 2);

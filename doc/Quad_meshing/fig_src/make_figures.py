@@ -3,11 +3,12 @@
 
 usage: make_figures.py PROGRAMS MESHES FIGURES [NAME...]
 
-PROGRAMS is the folder of the programs, MESHES that of CGAL's data, FIGURES receives the pictures. NAME: gallery or page; by default
-both. Needs Debian's python3-pil; the page needs chromium, too. A table of the gallery is printed.
+PROGRAMS is the folder of the programs, MESHES that of CGAL's data, FIGURES receives the pictures. NAME: gallery, guides, page; by
+default all. Needs Debian's python3-pil; the page needs chromium, too. A table of the gallery is printed.
 """
 
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -58,6 +59,55 @@ def gallery(programs, meshes, figures, folder):
         save(sheet, os.path.join(figures, "gallery_%d.png" % (number + 1)))
 
 
+def read_points(path):
+    """The points of a file of CGAL's data."""
+    with open(path, encoding="ascii") as file:
+        words = [w for line in file for w in line.split("#")[0].split()]
+    return [tuple(map(float, words[4 + 3 * i:7 + 3 * i])) for i in range(int(words[1]))]
+
+
+def write_lines(path, rows):
+    with open(path, "w", encoding="ascii") as file:
+        file.writelines(" ".join("%r" % x for x in row) + "\n" for row in rows)
+
+
+def guides(programs, meshes, figures, folder):
+    """A model without and with each kind of guide, side by side."""
+    name = "bear"
+    model = os.path.join(meshes, name + ".off")
+    points = read_points(model)
+    low, high = ([f(p[c] for p in points) for c in range(3)] for f in (min, max))
+    center = [(a + b) / 2 for a, b in zip(low, high)]
+    reach = max(b - a for a, b in zip(low, high))
+
+    def around(turns, rise, steps=60):
+        """A helix around the belly, in a plane if it does not rise."""
+        radius, height = 0.25 * reach, center[1] - 0.13 * reach
+        return [(center[0] + radius * math.cos(2 * math.pi * turns * t / steps), height + rise * reach * (t / steps - 0.5),
+                 center[2] + radius * math.sin(2 * math.pi * turns * t / steps)) for t in range(steps + 1)]
+
+    files = {k: os.path.join(folder, k + ".txt") for k in ("curves", "strokes", "singularities", "sizes")}
+    write_lines(files["curves"], around(1, 0))
+    write_lines(files["strokes"], around(0.5, 0.25))
+    corners = [(sx, sy, sz) for sx in (-0.25, 0.25) for sy in (-0.2, 0.2) for sz in (-0.25, 0.25)]
+    write_lines(files["singularities"], [tuple(center[c] + s[c] * reach for c in range(3)) + (1,) for s in corners])
+    write_lines(files["sizes"], [(center[0], high[1], center[2], 0.25 * reach, 0.008 * reach)])
+
+    def picture(result, *options):
+        path = os.path.join(folder, result + ".png")
+        subprocess.run([os.path.join(programs, "quadrangulate"), model, os.path.join(folder, result + ".obj"), "--target-quads", QUADS,
+                        "--picture", path, "--color-by", "mean edge" if "sizes" in result else "scaled", *options], check=True)
+        return Image.open(path).convert("RGB").resize((480, 360), Image.LANCZOS)
+
+    before = picture("before")
+    for kind, path in files.items():
+        after = picture("after_" + kind, "--" + kind, path)
+        sheet = Image.new("RGB", (960, 360), (255, 255, 255))
+        sheet.paste(before, (0, 0))
+        sheet.paste(after, (480, 0))
+        save(sheet, os.path.join(figures, "guides_before_after_%s.png" % kind))
+
+
 def page(programs, meshes, figures, folder):
     """A page in a browser."""
     browser = shutil.which("chromium") or sys.exit("chromium is not installed")
@@ -73,7 +123,7 @@ def page(programs, meshes, figures, folder):
 def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    makers = {"gallery": gallery, "page": page}
+    makers = {"gallery": gallery, "guides": guides, "page": page}
     with tempfile.TemporaryDirectory() as folder:
         for name in sys.argv[4:] or sorted(makers):
             makers[name](*sys.argv[1:4], folder)

@@ -45,6 +45,8 @@
 //
 // Guides
 //   feature_curves                  range         of Guide_curve: polylines that become chains of quad edges; none
+//   edge_is_curve_map               property map  edge -> bool: edges that become chains of quad edges besides the
+//                                                 sharp ones that are detected; none
 //   strokes                         range         of Guide_stroke: polylines that quads follow in direction; none
 //   symmetry_planes                 range         of Symmetry_plane: planes that the quad mesh is symmetric to; none
 //   symmetry_tolerance              double        largest distance of a mirrored vertex from the surface, over the
@@ -162,6 +164,7 @@
   CGAL_add_named_parameter(largest_edge_length_t, largest_edge_length, largest_edge_length)         \
   CGAL_add_named_parameter(size_discs_t, size_discs, size_discs)                                    \
   CGAL_add_named_parameter(feature_curves_t, feature_curves, feature_curves)                        \
+  CGAL_add_named_parameter(edge_is_curve_map_t, edge_is_curve_map, edge_is_curve_map)               \
   CGAL_add_named_parameter(strokes_t, strokes, strokes)                                             \
   CGAL_add_named_parameter(symmetry_planes_t, symmetry_planes, symmetry_planes)                     \
   CGAL_add_named_parameter(symmetry_tolerance_t, symmetry_tolerance, symmetry_tolerance)            \

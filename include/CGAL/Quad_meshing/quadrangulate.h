@@ -155,6 +155,12 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamType{a range of `Guide_curve`}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_curve_map}
+    \cgalParamDescription{edges of `tm` that become chains of quad edges, besides the feature edges, which are detected
+      all the same: the borders of groups of faces, for instance}
+    \cgalParamType{a model of `ReadablePropertyMap` with the edges of `tm` as keys and `bool` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{strokes}
     \cgalParamDescription{curves whose direction the quads follow}
     \cgalParamType{a range of `Guide_stroke`}
@@ -301,22 +307,25 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal_np::face_direction_map_t, internal_np::face_sizing_map_t, internal_np::vertex_sizing_map_t,
     internal_np::size_discs_t, internal_np::sizing_method_t, internal_np::sizing_tolerance_t,
     internal_np::smallest_edge_length_t, internal_np::largest_edge_length_t, internal_np::sizing_gradation_t,
-    internal_np::feature_curves_t, internal_np::strokes_t, internal_np::index_guides_t, internal_np::symmetry_planes_t,
-    internal_np::symmetry_tolerance_t, internal_np::curvature_alignment_t, internal_np::work_on_input_t,
-    internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
+    internal_np::feature_curves_t, internal_np::edge_is_curve_map_t, internal_np::strokes_t,
+    internal_np::index_guides_t, internal_np::symmetry_planes_t, internal_np::symmetry_tolerance_t,
+    internal_np::curvature_alignment_t, internal_np::work_on_input_t, internal_np::cross_field_method_t,
+    internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
     internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t, internal_np::rounding_method_t,
     internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t, internal_np::optimize_structure_t,
     internal_np::semi_regular_t, internal_np::number_of_threads_t, internal_np::random_seed_t,
     internal_np::maximum_running_time_t, internal_np::face_location_map_t, internal_np::visitor_t,
     internal_np::vertex_point_t>::value;
   constexpr bool has_edge_map =
-    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
+    internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>() &&
+    internal::map_parameter_is_readable<internal_np::edge_is_curve_map_t, NamedParameters, edge_descriptor, bool>();
   constexpr bool has_sizing_maps =
     internal::map_parameter_is_readable<internal_np::face_sizing_map_t, NamedParameters, face_descriptor, double>() &&
     internal::map_parameter_is_readable<internal_np::vertex_sizing_map_t, NamedParameters, vertex_descriptor, double>();
   constexpr bool has_direction_map =
     internal::map_parameter_gives_optionals<internal_np::face_direction_map_t, NamedParameters, face_descriptor>();
-  static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
+  static_assert(has_edge_map,
+                "edge_is_constrained_map and edge_is_curve_map must give a bool for every edge of the triangle mesh.");
   static_assert(has_sizing_maps,
                 "face_sizing_map and vertex_sizing_map must give a number for every face or vertex of the mesh.");
   static_assert(has_direction_map,
@@ -342,6 +351,8 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     Quadrangulation q(tm, vpm);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
       q.set_feature_edges(tm, get_parameter(np, internal_np::edge_is_constrained));
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_curve_map_t>::value)
+      q.set_curve_edges(tm, get_parameter(np, internal_np::edge_is_curve_map));
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_direction_map_t>::value)
       q.set_directions(tm, get_parameter(np, internal_np::face_direction_map));
     if constexpr(!is_default_parameter<NamedParameters, internal_np::face_sizing_map_t>::value)

@@ -19,19 +19,25 @@ namespace Quad_meshing {
 /*!
 \ingroup PkgQuadMeshingGuidesRef
 
-\brief Where an irregular vertex must be, or where none may be.
+\brief Where an irregular vertex must be, where none may be, or what the indices in a region sum up to.
+
+The index of an inner vertex is 4 minus the number of quads around it, that of a border vertex 2 minus this number. On a
+surface whose borders are chains of quad edges, all indices sum up to four times the Euler number.
 */
 struct Index_guide
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
 
   Point_3 point; ///< is projected to the surface
-  /// In quarters: 4 minus the number of quads around the vertex. 1 for three quads, -1 for five; 0: the vertex is
-  /// regular.
+  /// In quarters: 1 for three quads, -1 for five; 0: the vertex is regular.
   int index = 0;
   /// With an index of 0: no irregular vertex in the part of the surface around the point that lies within this distance
-  /// of it, in the unit of the points.
+  /// of it, in the unit of the points. Infinite: none on the whole component but at the points of other guides, and on
+  /// borders and features.
   double radius = 0;
+  /// Whether `index` is the sum of the indices in the region with the given radius. Irregular vertices that are missing
+  /// are put where there is room, and those that are too many are forbidden.
+  bool is_sum = false;
   std::string name; ///< what messages call it; empty: its number
 };
 

@@ -9,18 +9,15 @@
 #ifndef CGAL_QUAD_MESHING_IO_WRITE_GROUPED_OBJ_H
 #define CGAL_QUAD_MESHING_IO_WRITE_GROUPED_OBJ_H
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Quad_meshing/IO/write_obj.h>
+
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
 #include <map>
 #include <ostream>
 #include <string>
-#include <unordered_map>
-#include <vector>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -51,39 +48,20 @@ bool write_grouped_obj(std::ostream& os, const FaceGraph& mesh, FaceGroupMap fac
                        const std::string& group_name = "patch_", const std::string& line_group = "separatrices")
 {
   typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
-  const auto vpm = get(vertex_point, mesh);
-  std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, std::size_t> number; // from 1 on
-  for(auto v : vertices(mesh))
+  typedef typename boost::graph_traits<FaceGraph>::edge_descriptor edge_descriptor;
+  std::map<long long, int> position; // of a number among those that occur
+  for(face_descriptor f : faces(mesh))
+    position.emplace(static_cast<long long>(get(face_group, f)), 0);
+  Obj_content<FaceGraph> content;
+  for(auto& p : position)
   {
-    const auto& p = get(vpm, v);
-    os << "v " << to_double(p.x()) << " " << to_double(p.y()) << " " << to_double(p.z()) << "\n";
-    const std::size_t n = number.size() + 1;
-    number.emplace(v, n);
+    p.second = static_cast<int>(content.groups.names.size());
+    content.groups.names.push_back(group_name + std::to_string(p.first));
   }
-  std::map<long long, std::vector<face_descriptor>> groups;
-  for(auto f : faces(mesh))
-    groups[static_cast<long long>(get(face_group, f))].push_back(f);
-  for(const auto& group : groups)
-  {
-    os << "g " << group_name << group.first << "\n";
-    for(face_descriptor f : group.second)
-    {
-      os << "f";
-      for(auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-        os << " " << number[target(h, mesh)];
-      os << "\n";
-    }
-  }
-  bool is_first = true;
-  for(auto e : edges(mesh))
-    if(get(edge_is_line, e))
-    {
-      if(is_first)
-        os << "g " << line_group << "\n";
-      is_first = false;
-      os << "l " << number[source(e, mesh)] << " " << number[target(e, mesh)] << "\n";
-    }
-  return os.good();
+  content.groups.number = [&](face_descriptor f) { return position.at(static_cast<long long>(get(face_group, f))); };
+  content.is_line = [&](edge_descriptor e) { return get(edge_is_line, e); };
+  content.line_group = line_group;
+  return write_obj(os, mesh, content);
 }
 
 } // namespace Quad_meshing

@@ -64,7 +64,15 @@ public:
   template <typename TriangleMesh, typename EdgeIsFeatureMap>
   void set_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_feature)
   {
-    internal::set_features(tm, edge_is_feature, m_input);
+    m_input.is_feature = internal::marked_sides(tm, edge_is_feature);
+  }
+
+  /// says which edges of the triangle mesh become chains of quad edges besides the feature edges, which are detected
+  /// all the same.
+  template <typename TriangleMesh, typename EdgeIsCurveMap>
+  void set_curve_edges(const TriangleMesh& tm, EdgeIsCurveMap edge_is_curve)
+  {
+    m_input.is_curve = internal::marked_sides(tm, edge_is_curve);
   }
 
   /// gives the field directions in some faces. The value type of the map is an optional vector: `std::optional` or

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/Fields/Cross_field_result.h>
 #include <CGAL/Quad_meshing/Fields/Sizing_method.h>
+#include <CGAL/Quad_meshing/Guides/Guide_connection.h>
 #include <CGAL/Quad_meshing/Guides/Guide_curve.h>
 #include <CGAL/Quad_meshing/Guides/Index_guide.h>
 #include <CGAL/Quad_meshing/Guides/Size_disc.h>
@@ -57,6 +58,7 @@ struct Quadrangulation_options
   std::vector<Guide_curve> feature_curves;     ///< become chains of quad edges, besides the feature edges
   std::vector<Guide_stroke> strokes;           ///< the quads follow their direction
   std::vector<Index_guide> index_guides;       ///< where irregular vertices must be or must not be
+  std::vector<Guide_connection> connections;   ///< vertices that straight chains of quad edges join
   std::vector<Symmetry_plane> symmetry_planes; ///< orthogonal to each other; the quad mesh is symmetric to them
   /// The largest distance of a vertex, mirrored in a plane of symmetry, from the surface, over the diagonal of the
   /// bounding box: surfaces that differ more from their mirror images are refused.

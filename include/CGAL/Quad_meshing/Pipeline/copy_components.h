@@ -109,7 +109,7 @@ Component_copies copy_components(const TriangleMesh& tm, const NamedParameters& 
   internal::Triangle_input input = internal::triangle_input(
     tm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
   if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
-    internal::set_features(tm, get_parameter(np, internal_np::edge_is_constrained), input);
+    input.is_feature = internal::marked_sides(tm, get_parameter(np, internal_np::edge_is_constrained));
   return internal::copy_components(input);
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/IO/scene_layers.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation.h>
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/guide_layers.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_structure.h>
 #include <CGAL/Quad_meshing/internal/Indexed_quad_mesh.h>
 #include <CGAL/Quad_meshing/internal/compiled_kernels.h>
@@ -30,7 +31,12 @@ CGAL_QUAD_MESHING_INLINE void add_layers_of_quads(Scene& scene, const Indexed_qu
 CGAL_QUAD_MESHING_INLINE void add_layers_of_surface(Scene& scene, const Quadrangulation_surface& surface);
 
 CGAL_QUAD_MESHING_INLINE void add_layers_of_features(Scene& scene, const Component_copies& copies,
+                                                     const Quadrangulation_surface& surface,
                                                      const Quadrangulation_options& options);
+
+// Adds the directions in which the surface bends least, and how far the quads are off them to their layer.
+CGAL_QUAD_MESHING_INLINE void add_layers_of_curvature(Scene& scene, const Quadrangulation_surface& surface,
+                                                      const Quadrangulation_mesh& qm);
 
 } // namespace internal
 
@@ -63,9 +69,11 @@ void add_quad_mesh_layers(Scene& scene, const QuadMesh& qm, const std::string& g
 
 \brief adds what a quadrangulation started from, worked with and made to a scene.
 
-Layers are the triangles of the input, the sharp edges that were kept and those that were taken for noise, the working
-mesh with the integer grid on it, the cross field, its singularities by index in quarters, the feature edges of the
-quads, and those of `add_quad_mesh_layers()`.
+Layers are the triangles of the input, the sharp edges that were kept, those that were taken for noise and those that
+were released, the working mesh with the integer grid on it, the cross field, its singularities by index in quarters,
+the directions in which the surface bends least where these are reliable, the curves, strokes and places of irregular
+vertices that the user has drawn, the feature edges of the quads, and those of `add_quad_mesh_layers()`. Quads can be
+colored by the angle between them and those directions as well.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, with an internal point map
 
@@ -82,13 +90,17 @@ void add_quadrangulation_layers(Scene& scene, const TriangleMesh& tm, const Quad
   input.side = Scene_side::LEFT;
   input.is_visible = q.quads().mesh.number_of_faces() == 0;
   scene.layers.push_back(input);
-  internal::add_layers_of_features(scene, copy_components(tm), q.options);
+  internal::add_layers_of_features(scene, copy_components(tm), q.surface(), q.options);
+  internal::add_layers_of_guides(scene, q.options);
   internal::add_layers_of_surface(scene, q.surface());
   const Quadrangulation_mesh& qm = q.quads().mesh;
   if(qm.number_of_faces() == 0)
     return;
   if(is_quad_mesh(qm))
+  {
     add_quad_mesh_layers(scene, qm);
+    internal::add_layers_of_curvature(scene, q.surface(), qm);
+  }
   else
   {
     scene.layers.push_back(make_faces_layer(qm, "faces", "Quads"));

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_meshing/IO/Mesh_reading_result.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -169,6 +170,37 @@ public:
       while(parsed != m_end && (*parsed == '/' || *parsed == '-' || ('0' <= *parsed && *parsed <= '9')))
         ++parsed;
     return advance(parsed, begin, "a vertex number");
+  }
+
+  // The same with the texture and the normal index, 0 where there is none.
+  bool read_with_slashes(std::array<long long, 3>& indices)
+  {
+    indices = { { 0, 0, 0 } };
+    skip_blanks();
+    const char *const begin = m_pos, *parsed = begin;
+    for(int k = 0; k < 3; ++k)
+    {
+      const std::from_chars_result result = std::from_chars(parsed, m_end, indices[k]);
+      if(result.ec == std::errc())
+        parsed = result.ptr;
+      else if(k == 0)
+        return advance(begin, begin, "a vertex number");
+      if(parsed == m_end || *parsed != '/' || k == 2)
+        break;
+      ++parsed;
+    }
+    return advance(parsed, begin, "a vertex number");
+  }
+
+  // What is left of the line, without blanks at its ends: names may have blanks, and signs # that follow no blank.
+  std::string rest_of_line()
+  {
+    skip_blanks();
+    const char *const begin = m_pos, *end = begin;
+    for(; m_pos != m_end && *m_pos != '\n' && !(*m_pos == '#' && end != m_pos); ++m_pos)
+      if(!is_blank(*m_pos))
+        end = m_pos + 1;
+    return std::string(begin, end);
   }
 
   // Reads the numbers that are left in the line. Returns how many there are.

@@ -9,13 +9,19 @@
 #ifndef CGAL_QUAD_MESHING_IO_INTERNAL_READ_OBJ_H
 #define CGAL_QUAD_MESHING_IO_INTERNAL_READ_OBJ_H
 
+#include <CGAL/Quad_meshing/IO/Mesh_attributes.h>
 #include <CGAL/Quad_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/internal/Text_scanner.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace CGAL {
 namespace Quad_meshing {
@@ -45,11 +51,108 @@ inline std::size_t line_of_obj_face(std::string_view text, std::size_t face)
   return in.line();
 }
 
+// Collects what an OBJ file says besides points and polygons.
+class Obj_attributes
+{
+  Text_scanner& m_in;
+  Mesh_attributes& m_attributes;
+
+public:
+  Obj_attributes(Text_scanner& in, Mesh_attributes& attributes) : m_in(in), m_attributes(attributes) {}
+
+  // Reads what is behind the coordinates of a vertex. Returns how many numbers that are.
+  std::size_t read_color()
+  {
+    std::array<double, 5> numbers; // a color, or a weight; few files have both
+    std::size_t n = 0;
+    for(m_in.skip_blanks(); !m_in.at_line_end() && n < numbers.size() && m_in.read(numbers[n]); m_in.skip_blanks())
+      ++n;
+    if(n == 3 || n == 4)
+      m_attributes.colors.push_back({ { numbers[n - 3], numbers[n - 2], numbers[n - 1] } });
+    return n + (m_in.at_line_end() ? 0 : m_in.skip_numbers());
+  }
+
+  // A corner of a face; returns its vertex index.
+  bool read_corner(long long& v)
+  {
+    std::array<long long, 3> indices;
+    if(!m_in.read_with_slashes(indices))
+      return false;
+    v = indices[0];
+    m_attributes.corner_texture.push_back(number(indices[1], m_attributes.texture_coordinates.size()));
+    m_attributes.corner_normal.push_back(number(indices[2], m_attributes.normals.size()));
+    return true;
+  }
+
+  void end_face()
+  {
+    m_attributes.objects.of_face.push_back(m_object);
+    m_attributes.groups.of_face.push_back(m_group);
+    m_attributes.materials.of_face.push_back(m_material);
+  }
+
+  // Statements about faces. Returns false if the line begins with another one.
+  bool read(std::string_view key)
+  {
+    if(key == "g")
+      m_group = number_of(m_in.rest_of_line(), m_attributes.groups);
+    else if(key == "o")
+      m_object = number_of(m_in.rest_of_line(), m_attributes.objects);
+    else if(key == "usemtl")
+      m_material = number_of(m_in.rest_of_line(), m_attributes.materials);
+    else if(key == "mtllib")
+      m_attributes.material_libraries.push_back(m_in.rest_of_line());
+    else if(key == "vt")
+    {
+      std::array<double, 2> t = { { 0, 0 } };
+      if(m_in.read(t[0]) && !m_in.at_line_end())
+      {
+        m_in.skip_blanks();
+        if(!m_in.at_line_end())
+          m_in.read(t[1]);
+      }
+      m_attributes.texture_coordinates.push_back(t);
+    }
+    else if(key == "vn")
+    {
+      std::array<double, 3> n = { { 0, 0, 0 } };
+      for(double& x : n)
+        m_in.read(x);
+      m_attributes.normals.push_back(n);
+    }
+    else
+      return false;
+    return true;
+  }
+
+private:
+  // Indices count from 1, negative ones from the last one; those of nothing are -1.
+  static int number(long long index, std::size_t size)
+  {
+    const long long n = index > 0 ? index - 1 : index < 0 ? static_cast<long long>(size) + index : -1;
+    return n >= 0 && n <= std::numeric_limits<int>::max() ? static_cast<int>(n) : -1;
+  }
+
+  int number_of(const std::string& name, Face_names& names)
+  {
+    const auto inserted = m_numbers[&names].emplace(name, static_cast<int>(names.names.size()));
+    if(inserted.second)
+      names.names.push_back(name);
+    return inserted.first->second;
+  }
+
+  std::map<const Face_names*, std::unordered_map<std::string, int>> m_numbers; // of names
+  int m_object = Face_names::none, m_group = Face_names::none, m_material = Face_names::none;
+};
+
 // Reads the lines `v` and `f` of an OBJ file; indices count from 1, negative ones from the vertex read last. Lines and
 // points are counted, free-form surfaces refused, and so are statements that OBJ does not have: such a line may be a
 // damaged face.
-inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup)
+inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup, Mesh_attributes* attributes)
 {
+  std::optional<Obj_attributes> others;
+  if(attributes != nullptr)
+    others.emplace(in, *attributes);
   while(!in.at_end())
   {
     const std::string_view key = in.word();
@@ -64,7 +167,7 @@ inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup
         if(const char* defect = coordinate_defect(x))
           return in.fail("vertex " + std::to_string(soup.points.size()) + defect + " (numbers count from 0)",
                          Mesh_reading_status::INVALID_COORDINATE);
-      if(!in.at_line_end() && in.skip_numbers() > 5) // a weight, or a color
+      if(!in.at_line_end() && (others ? others->read_color() : in.skip_numbers()) > 5) // a weight, or a color
         in.fail("a vertex has more than eight numbers");
       soup.points.push_back(p);
     }
@@ -73,7 +176,7 @@ inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup
       for(in.skip_blanks(); !in.at_line_end(); in.skip_blanks())
       {
         long long v = 0;
-        if(!in.read_before_slash(v))
+        if(!(others ? others->read_corner(v) : in.read_before_slash(v)))
           return;
         const long long index = v > 0 ? v - 1 : static_cast<long long>(soup.points.size()) + v;
         if(v == 0 || index < 0)
@@ -83,7 +186,11 @@ inline void read_obj(Text_scanner& in, std::string_view text, Polygon_soup& soup
         soup.add_corner(index);
       }
       soup.end_polygon();
+      if(others)
+        others->end_face();
     }
+    else if(others && others->read(key))
+      ;
     else if(key == "l")
       ++soup.number_of_lines;
     else if(key == "p")

@@ -9,10 +9,12 @@
 #ifndef CGAL_QUAD_MESHING_IO_INTERNAL_READ_PLY_H
 #define CGAL_QUAD_MESHING_IO_INTERNAL_READ_PLY_H
 
+#include <CGAL/Quad_meshing/IO/Mesh_attributes.h>
 #include <CGAL/Quad_meshing/IO/internal/Binary_scanner.h>
 #include <CGAL/Quad_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Quad_meshing/IO/internal/Text_scanner.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -158,11 +160,15 @@ class Ply_reader
   Text_scanner& m_in;
   std::string_view m_text;
   Polygon_soup& m_soup;
+  Mesh_attributes* m_attributes; // null: they are passed over
   std::string m_format;
   std::vector<Ply_element> m_elements;
 
 public:
-  Ply_reader(Text_scanner& in, std::string_view text, Polygon_soup& soup) : m_in(in), m_text(text), m_soup(soup) {}
+  Ply_reader(Text_scanner& in, std::string_view text, Polygon_soup& soup, Mesh_attributes* attributes)
+    : m_in(in), m_text(text), m_soup(soup), m_attributes(attributes)
+  {
+  }
 
   void operator()()
   {
@@ -332,8 +338,17 @@ private:
   void read_vertex(const Ply_element& element, Values& values)
   {
     Polygon_soup::Point p = { { 0, 0, 0 } };
+    std::array<double, 3> color;
+    int colored = 0;
     for(const Ply_property& property : element.properties)
     {
+      if(m_attributes != nullptr)
+        if(const int c = color_channel(property); c >= 0)
+        {
+          color[c] = values.real(property.type) / (property.type == Ply_type::UINT8 ? 255 : 1);
+          ++colored;
+          continue;
+        }
       if(property.count_type == Ply_type::NONE && property.name.size() == 1 && 'x' <= property.name[0] &&
          property.name[0] <= 'z')
         p[static_cast<std::size_t>(property.name[0] - 'x')] = values.real(property.type);
@@ -345,6 +360,18 @@ private:
         m_in.fail("vertex " + std::to_string(m_soup.points.size()) + defect + " (numbers count from 0)",
                   Mesh_reading_status::INVALID_COORDINATE);
     m_soup.points.push_back(p);
+    if(colored == 3)
+      m_attributes->colors.push_back(color);
+  }
+
+  // Which of red, green and blue a property is, -1 if it is none of them.
+  static int color_channel(const Ply_property& property)
+  {
+    static const std::array<std::string_view, 3> names = { { "red", "green", "blue" } };
+    if(property.count_type != Ply_type::NONE)
+      return -1;
+    const auto found = std::find(names.begin(), names.end(), property.name);
+    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
   }
 
   // Reads the element of number i and calls f(v) for the vertices that its list names.
@@ -401,9 +428,9 @@ private:
   }
 };
 
-inline void read_ply(Text_scanner& in, std::string_view text, Polygon_soup& soup)
+inline void read_ply(Text_scanner& in, std::string_view text, Polygon_soup& soup, Mesh_attributes* attributes)
 {
-  Ply_reader(in, text, soup)();
+  Ply_reader(in, text, soup, attributes)();
   if(in.failed())
     return;
   for(std::size_t f = 0; f < soup.size(); ++f)

@@ -76,7 +76,7 @@ inline std::string_view without_byte_order_mark(std::string_view text)
 }
 
 CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygon_soup& soup,
-                                             Mesh_reading_result& result)
+                                             Mesh_reading_result& result, Mesh_attributes* attributes)
 {
   auto refuse = [&](Mesh_reading_status status, const std::string& message)
   {
@@ -103,9 +103,9 @@ CGAL_QUAD_MESHING_INLINE bool read_soup_file(const std::string& filename, Polygo
   if(extension == "off")
     read_off(in, text, soup);
   else if(extension == "obj")
-    read_obj(in, text, soup);
+    read_obj(in, text, soup, attributes);
   else if(extension == "ply")
-    read_ply(in, text, soup);
+    read_ply(in, text, soup, attributes);
   else
     read_stl(in, text, soup);
   if(in.failed())

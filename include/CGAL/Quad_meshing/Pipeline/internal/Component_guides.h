@@ -12,6 +12,7 @@
 #include <CGAL/Quad_meshing/Fields/Face_frames.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_options.h>
 #include <CGAL/Quad_meshing/Pipeline/Quadrangulation_stages.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Index_prescriptions.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Placed_guides.h>
 #include <CGAL/Quad_meshing/internal/Distance_front.h>
 #include <CGAL/Quad_meshing/internal/compatibility.h>
@@ -49,6 +50,7 @@ struct Component_wishes
 
   std::vector<const Placed_curve*> strokes;
   std::vector<Index_wish> indices;
+  std::vector<const Placed_connection*> connections;
 };
 
 // Brings the guides of a component to the triangles that its field is made on.
@@ -71,6 +73,7 @@ public:
   static constexpr double largest_importance = 50;
 
   std::vector<std::string> unmet; // guides that cannot be met, see `Quadrangulation_result`
+  std::string refusal;            // why no mesh can meet all of them, as a sentence; empty: one may
 
   // Gives the faces that strokes cross their directions, and those nearby softer ones; `importance` is how much faces
   // count for the map. Hard directions that are there are kept.
@@ -116,63 +119,58 @@ public:
     }
   }
 
-  // The indices that vertices must have.
-  std::vector<std::optional<int>> prescribe(const std::vector<Component_wishes::Index_wish>& wishes)
+  // The edges at the ends of connections: the map follows them, but not the field. So the index of the vertex at the
+  // end can be prescribed, as that of one without features. Empty if there are none.
+  std::vector<char> loose_edges(const std::vector<const Placed_connection*>& connections) const
   {
     const Mesh& mesh = m_surface.mesh;
-    std::vector<std::optional<int>> result(mesh.number_of_vertices());
-    std::vector<const std::string*> by(mesh.number_of_vertices(), nullptr);
-    find_feature_vertices();
-    for(const Component_wishes::Index_wish& w : wishes)
-    {
-      bool is_anywhere = false;
-      for(Mesh::Vertex_index v : vertices_of(w))
-      {
-        if(m_is_on_feature[v])
-          continue;
-        is_anywhere = true;
-        if(by[v] != nullptr && *result[v] != w.guide->index)
-        {
-          unmet.push_back(*by[v] + " and " + w.name + " want different indices at one vertex");
-          continue;
-        }
-        by[v] = &w.name;
-        result[v] = w.guide->index;
-      }
-      if(!is_anywhere)
-        unmet.push_back(w.name + " lies on a feature edge or the border, where the index follows from the edges");
-    }
-    return result;
+    std::vector<char> is_loose;
+    if(connections.empty())
+      return is_loose;
+    is_loose.assign(mesh.number_of_edges(), 0);
+    std::vector<int> degree(mesh.number_of_vertices(), 0); // edges of features
+    for(Mesh::Edge_index e : mesh.edges())
+      if(m_surface.is_feature[e] || mesh.is_border(e))
+        for(int k = 0; k < 2; ++k)
+          ++degree[mesh.vertex(e, k)];
+    for(const Placed_connection* c : connections)
+      for(const Placed_point* end : { &c->from, &c->to })
+        for(Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(end_of_feature(*end, degree))))
+          if(degree[mesh.target(h)] == 1 && m_surface.is_kept[mesh.edge(h)])
+            is_loose[mesh.edge(h)] = 1;
+    return is_loose;
   }
 
-  // The vertices of curves of the user that the quads must have: ends, crossings and sharp bends.
-  static std::vector<char> nodes_of_curves(const Quadrangulation_surface& surface)
+  // The indices that vertices must have. `is_loose`: per edge, see above. `index_of_free_field(prescribed)` gives the
+  // indices of the field that has the prescribed ones, and no others that are wanted; it is asked if there are sums.
+  // Sets `refusal` if the wishes cannot be met by any field.
+  template <typename FreeField>
+  std::vector<std::optional<int>> prescribe(const std::vector<Component_wishes::Index_wish>& wishes,
+                                            const std::vector<char>& is_loose, const FreeField& index_of_free_field)
   {
-    // In degrees; what turns less, a chain of quad edges rounds off by a hundredth of an edge or two.
-    const double largest_turn = 15;
-    const Mesh& m = surface.mesh;
-    std::vector<std::vector<Mesh::Vertex_index>> next(m.number_of_vertices());
-    bool any = false;
-    for(Mesh::Edge_index e : m.edges())
-      if(surface.is_kept[e] && !m.is_border(e))
+    Index_prescriptions prescriptions(m_surface, is_loose);
+    for(const Component_wishes::Index_wish& w : wishes)
+      if(!w.guide->is_sum && std::isfinite(w.guide->radius))
+        prescriptions.add(w.guide->index, w.name, vertices_of(w, prescriptions));
+    for(const Component_wishes::Index_wish& w : wishes)
+      if(!w.guide->is_sum && std::isinf(w.guide->radius))
+        prescriptions.forbid_others(w.name);
+    std::vector<int> index;
+    for(const Component_wishes::Index_wish& w : wishes)
+      if(w.guide->is_sum)
       {
-        any = true;
-        next[m.vertex(e, 0)].push_back(m.vertex(e, 1));
-        next[m.vertex(e, 1)].push_back(m.vertex(e, 0));
+        if(index.empty())
+          index = index_of_free_field(prescriptions.index());
+        if(index.empty()) // there is none; the search for the final one says why
+          break;
+        // Irregular vertices that are just outside must not slip in when the quads are smoothed.
+        const double guarded = w.guide->radius + m_surface.length[face_at(w.place.point, w.place.normal)];
+        prescriptions.add_sum(w.guide->index, w.name, within(w, w.guide->radius), within(w, guarded), index);
       }
-    std::vector<char> is_node;
-    if(!any)
-      return is_node;
-    for(Mesh::Vertex_index v : m.vertices())
-    {
-      is_node.push_back(!next[v].empty() && next[v].size() != 2);
-      if(next[v].size() != 2)
-        continue;
-      const Vector_3 a = m.point(v) - m.point(next[v][0]), b = m.point(next[v][1]) - m.point(v);
-      const double turn = std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
-      is_node.back() = turn > largest_turn * CGAL_PI / 180;
-    }
-    return is_node;
+    prescriptions.check_total();
+    unmet.insert(unmet.end(), prescriptions.unmet.begin(), prescriptions.unmet.end());
+    refusal = prescriptions.refusal;
+    return prescriptions.index();
   }
 
 private:
@@ -278,22 +276,27 @@ private:
     return { { m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))) } };
   }
 
-  void find_feature_vertices()
+  // The vertex with features that is nearest to a place; it is as near as the working mesh is to the input.
+  Mesh::Vertex_index end_of_feature(const Placed_point& place, const std::vector<int>& degree) const
   {
     const Mesh& mesh = m_surface.mesh;
-    m_is_on_feature.assign(mesh.number_of_vertices(), 0);
-    for(Mesh::Edge_index e : mesh.edges())
-      if(m_surface.is_feature[e] || mesh.is_border(e))
-        m_is_on_feature[mesh.vertex(e, 0)] = m_is_on_feature[mesh.vertex(e, 1)] = 1;
+    Mesh::Vertex_index nearest = *mesh.vertices().begin();
+    double distance = std::numeric_limits<double>::infinity();
+    for(Mesh::Vertex_index v : mesh.vertices())
+      if(degree[v] > 0 && squared_distance(mesh.point(v), place.point) < distance)
+      {
+        nearest = v;
+        distance = squared_distance(mesh.point(v), place.point);
+      }
+    return nearest;
   }
 
-  // The nearest vertex that is on no feature, among those near the face; with a radius, all vertices in reach.
-  std::vector<Mesh::Vertex_index> vertices_of(const Component_wishes::Index_wish& w) const
+  // The vertices of the part of the surface around a place that lies within a distance of it, in order.
+  std::vector<Mesh::Vertex_index> within(const Component_wishes::Index_wish& w, double reach) const
   {
     const Mesh& mesh = m_surface.mesh;
     const Point_3& p = w.place.point;
     const Mesh::Face_index first = face_at(p, w.place.normal);
-    const double reach = w.guide->radius;
     std::vector<Mesh::Face_index> queue(1, first);
     std::vector<char> is_reached(mesh.number_of_faces(), 0);
     is_reached[first] = 1;
@@ -314,17 +317,28 @@ private:
       }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Those within the radius of a wish; if there are none, the nearest vertex that is on no feature, among those near
+  // the face.
+  std::vector<Mesh::Vertex_index> vertices_of(const Component_wishes::Index_wish& w,
+                                              const Index_prescriptions& prescriptions) const
+  {
+    const Mesh& mesh = m_surface.mesh;
+    const Point_3& p = w.place.point;
+    std::vector<Mesh::Vertex_index> result = within(w, w.guide->radius);
     if(!result.empty())
       return result;
-    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(first)))
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(face_at(p, w.place.normal))))
       for(Mesh::Face_index g : mesh.faces_around_target(h))
         if(g != Mesh::null_face())
           for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(g)))
             result.push_back(v);
     const auto is_nearer = [&](Mesh::Vertex_index a, Mesh::Vertex_index b)
     {
-      if(m_is_on_feature[a] != m_is_on_feature[b])
-        return m_is_on_feature[a] < m_is_on_feature[b];
+      if(prescriptions.is_on_feature(a) != prescriptions.is_on_feature(b))
+        return prescriptions.is_on_feature(b);
       return squared_distance(mesh.point(a), p) < squared_distance(mesh.point(b), p);
     };
     return { *std::min_element(result.begin(), result.end(), is_nearer) };
@@ -333,7 +347,6 @@ private:
   const Quadrangulation_surface& m_surface;
   const double m_distance;
   const Tree m_tree;
-  std::vector<char> m_is_on_feature; // per vertex
 };
 
 // The feature edges of the user, to be found again among those of other triangles.

@@ -9,6 +9,7 @@
 #ifndef CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 
+#include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Component_guides.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Curve_nodes.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Working_surface.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/search_component.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
@@ -32,6 +34,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -204,15 +207,24 @@ private:
     Grid_map_search::Directions directions;
     if(!find_directions(directions))
       return false;
-    if(!m_request.wishes.strokes.empty() || !m_request.wishes.indices.empty())
+    const Component_wishes& wishes = m_request.wishes;
+    if(!wishes.strokes.empty() || !wishes.indices.empty() || !wishes.connections.empty())
     {
       Component_guides guides(*m_surface, m_work.largest_distance());
-      guides.follow_strokes(m_request.wishes.strokes, directions.direction, directions.weight, directions.importance);
-      directions.index = guides.prescribe(m_request.wishes.indices);
+      guides.follow_strokes(wishes.strokes, directions.direction, directions.weight, directions.importance);
+      directions.is_loose = guides.loose_edges(wishes.connections);
+      directions.index =
+        guides.prescribe(wishes.indices, directions.is_loose,
+                         [&](const auto& prescribed) { return indices_of_field(directions, prescribed); });
       unmet = guides.unmet;
+      if(!guides.refusal.empty())
+      {
+        fail(Status::REFUSED, guides.refusal);
+        return false;
+      }
     }
     if(m_request.has_curves)
-      directions.is_node = Component_guides::nodes_of_curves(*m_surface);
+      directions.is_node = Curve_nodes::find(*m_surface);
     directions.has_releasable_curves = m_request.has_curves && !m_request.has_features;
     quads = search_component(
       *m_surface, directions,
@@ -220,11 +232,62 @@ private:
       result);
     if(quads)
     {
+      report_others(directions.index);
       find_fixed_vertices(directions);
       keep_directions(directions);
       m_work.move_to_input(*quads);
     }
     return quads != nullptr;
+  }
+
+  // Irregular vertices where none but those of guides were wanted.
+  void report_others(const std::vector<std::optional<int>>& prescribed)
+  {
+    for(const Component_wishes::Index_wish& w : m_request.wishes.indices)
+      if(!w.guide->is_sum && std::isinf(w.guide->radius))
+      {
+        std::size_t others = 0;
+        for(Mesh::Vertex_index v : m_surface->mesh.vertices())
+          others += prescribed[v] && *prescribed[v] == 0 && m_surface->index[v] != 0;
+        if(others > 0)
+          unmet.push_back(std::to_string(others) + " irregular vertices are besides those that " + w.name + " allows");
+        return;
+      }
+  }
+
+  // The indices of the field that the search begins with, per vertex; none if there is no field.
+  std::vector<int> indices_of_field(const Grid_map_search::Directions& directions,
+                                    const std::vector<std::optional<int>>& prescribed)
+  {
+    const Mesh& mesh = m_surface->mesh;
+    Real_timer timer;
+    timer.start();
+    std::vector<double> angle(mesh.number_of_faces());
+    std::vector<int> jump(mesh.number_of_edges()), index(mesh.number_of_vertices());
+    std::vector<char> is_feature;
+    for(Mesh::Edge_index e : mesh.edges())
+      is_feature.push_back(m_surface->is_feature[e]);
+    is_feature = directions.constrained(is_feature);
+    auto of_edges = [&](auto& values)
+    { return boost::make_iterator_property_map(values.begin(), get(boost::edge_index, mesh)); };
+    auto of_faces = [&](auto& values)
+    { return boost::make_iterator_property_map(values.begin(), get(boost::face_index, mesh)); };
+    auto of_vertices = [&](auto& values)
+    { return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh)); };
+    const Cross_field_result r = smooth_cross_field(mesh, of_faces(angle), of_edges(jump), of_vertices(index),
+                                                    parameters::target_edge_length(m_request.length)
+                                                      .edge_is_constrained_map(of_edges(is_feature))
+                                                      .align_boundary(m_options.align_boundary)
+                                                      .cross_field_method(m_options.cross_field_method)
+                                                      .face_direction_map(of_faces(directions.direction))
+                                                      .face_direction_weight_map(of_faces(directions.weight))
+                                                      .face_sizing_map(m_surface->length)
+                                                      .prescribed_index_map(of_vertices(prescribed))
+                                                      .visitor(std::ref(m_visitor)));
+    result.field_seconds += timer.time();
+    if(!r.is_valid() && r.status != Cross_field_status::EMPTY_SECTORS)
+      index.clear();
+    return index;
   }
 
   // Irregular vertices that the user has placed, and nodes of curves, stay where they are.

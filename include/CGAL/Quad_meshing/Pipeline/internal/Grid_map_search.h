@@ -56,6 +56,15 @@ public:
     std::vector<char> is_node;          // per vertex: it becomes a vertex of quads; empty: none has to
     bool has_releasable_curves = false; // of the user
     std::vector<double> importance;     // per face: how much it counts for the map; empty: one everywhere
+    std::vector<char> is_loose;         // per edge: a feature for the map alone, not for the field; empty: none
+
+    // The feature edges that the field follows.
+    std::vector<char> constrained(std::vector<char> is_feature) const
+    {
+      for(std::size_t e = 0; e < is_loose.size(); ++e)
+        is_feature[e] = is_feature[e] && !is_loose[e];
+      return is_feature;
+    }
   };
 
   struct Options
@@ -242,11 +251,12 @@ private:
     field->angle.resize(mesh.number_of_faces());
     field->period_jump.resize(mesh.number_of_edges());
     field->index.resize(mesh.number_of_vertices());
+    const std::vector<char> constrained = m_directions.constrained(is_feature);
     const Cross_field_result r =
       smooth_cross_field(mesh, map_of(boost::face_index, field->angle), map_of(boost::edge_index, field->period_jump),
                          map_of(boost::vertex_index, field->index),
                          parameters::target_edge_length(m_options.length)
-                           .edge_is_constrained_map(map_of(boost::edge_index, is_feature))
+                           .edge_is_constrained_map(map_of(boost::edge_index, constrained))
                            .align_boundary(m_options.quadrangulation.align_boundary)
                            .cross_field_method(method)
                            .rounding_tolerance(m_options.quadrangulation.rounding_tolerance)

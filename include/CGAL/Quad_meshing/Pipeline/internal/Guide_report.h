@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,11 @@ public:
 
   std::string of_index(const Component_wishes::Index_wish& wish) const
   {
-    const double reach = wish.guide->index == 0 ? wish.guide->radius : 0;
+    if(wish.guide->is_sum)
+      return of_sum(wish);
+    const double reach = wish.guide->index == 0 && std::isfinite(wish.guide->radius) ? wish.guide->radius : 0;
+    if(std::isinf(wish.guide->radius)) // the indices of the field tell
+      return std::string();
     const Mesh::Halfedge_index nearest = m_quads.halfedge(m_edges.closest_point_and_primitive(wish.place.point).second);
     const double local = length(nearest);
     // The place of an irregular vertex is that of a vertex of the working mesh.
@@ -112,8 +117,9 @@ public:
         nearest_distance = d;
         index_there = index;
       }
-      irregular += d < reach && index != 0;
     }
+    for(Mesh::Vertex_index v : part_around(wish.place, reach))
+      irregular += !m_quads.is_border(v) && m_quads.degree(v) != 4;
     if(wish.guide->index == 0 && reach > 0)
       return irregular == 0 ? std::string()
                             : std::to_string(irregular) + " irregular vertices lie in the region of " + wish.name;
@@ -123,9 +129,68 @@ public:
                     : "there is no vertex of index " + std::to_string(wish.guide->index) + " at " + wish.name;
   }
 
+  std::string of_connection(const Placed_connection& c) const
+  {
+    const Mesh::Vertex_index from = nearest_vertex(c.from.point), to = nearest_vertex(c.to.point);
+    for(Mesh::Halfedge_index h : m_quads.halfedges_around_target(m_quads.halfedge(from)))
+      if(leads_straight_to(m_quads.opposite(h), to))
+        return std::string();
+    return "no straight chain of quad edges joins the ends of " + c.name;
+  }
+
+  std::string of_sum(const Component_wishes::Index_wish& wish) const
+  {
+    long long sum = 0;
+    for(Mesh::Vertex_index v : part_around(wish.place, wish.guide->radius))
+      sum += (m_quads.is_border(v) ? 3 : 4) - static_cast<long long>(m_quads.degree(v));
+    return sum == wish.guide->index ? std::string()
+                                    : "the indices in the region of " + wish.name + " sum up to " +
+                                        std::to_string(sum) + " instead of " + std::to_string(wish.guide->index);
+  }
+
 private:
   typedef AABB_halfedge_graph_segment_primitive<Mesh> Edge_primitive;
   typedef AABB_tree<Aabb_traits<Quadrangulation_kernel, Edge_primitive>> Edge_tree;
+
+  Mesh::Vertex_index nearest_vertex(const Point_3& p) const
+  {
+    Mesh::Vertex_index nearest = *m_quads.vertices().begin();
+    for(Mesh::Vertex_index v : m_quads.vertices())
+      if(squared_distance(m_quads.point(v), p) < squared_distance(m_quads.point(nearest), p))
+        nearest = v;
+    return nearest;
+  }
+
+  // Whether one comes to a vertex from a halfedge on, with as many quads on the left as on the right at every vertex.
+  bool leads_straight_to(Mesh::Halfedge_index h, Mesh::Vertex_index end) const
+  {
+    for(std::size_t steps = 0; steps < m_quads.number_of_edges(); ++steps)
+    {
+      const Mesh::Vertex_index v = m_quads.target(h);
+      if(v == end)
+        return true;
+      if(m_quads.is_border(v) || m_quads.degree(v) != 4)
+        return false;
+      h = m_quads.next(m_quads.opposite(m_quads.next(h)));
+    }
+    return false;
+  }
+
+  // The vertices of the part of the surface around a place that lies within a distance of it.
+  std::vector<Mesh::Vertex_index> part_around(const Placed_point& place, double reach) const
+  {
+    const Mesh::Halfedge_index h = m_quads.halfedge(m_edges.closest_point_and_primitive(place.point).second);
+    std::vector<Mesh::Vertex_index> part = { m_quads.source(h), m_quads.target(h) };
+    std::set<Mesh::Vertex_index> is_reached(part.begin(), part.end());
+    auto is_outside = [&](Mesh::Vertex_index v)
+    { return squared_distance(m_quads.point(v), place.point) > reach * reach; };
+    part.erase(std::remove_if(part.begin(), part.end(), is_outside), part.end());
+    for(std::size_t i = 0; i < part.size(); ++i)
+      for(Mesh::Vertex_index w : m_quads.vertices_around_target(m_quads.halfedge(part[i])))
+        if(!is_outside(w) && is_reached.insert(w).second)
+          part.push_back(w);
+    return part;
+  }
 
   double length(Mesh::Halfedge_index h) const { return std::sqrt(vector(h).squared_length()); }
   Vector_3 vector(Mesh::Halfedge_index h) const
@@ -139,7 +204,12 @@ private:
     return std::atan2(std::sqrt(cross_product(a, b).squared_length()), std::abs(a * b)) * 180 / CGAL_PI;
   }
 
-  static std::string percent(double x) { return std::to_string(std::lround(100 * x)); }
+  // Rounded down to a tenth: what is less than asked for is not told as if it were not.
+  static std::string percent(double x)
+  {
+    const long long tenths = static_cast<long long>(std::floor(1000 * x));
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+  }
 
   // The angle between a direction and the sides of the quad at a point, in degrees, at most 45; -1 if the quad nearby
   // lies on another part of the surface.

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -78,12 +79,32 @@ class Mirrored_guides
 public:
   explicit Mirrored_guides(const Mirror& mirror) : m_mirror(mirror) {}
 
+  // What lies on both sides and cannot be divided, as a sentence; empty: nothing does.
+  std::string crossing(const Quadrangulation_options& o) const
+  {
+    for(std::size_t i = 0; i < o.connections.size(); ++i)
+      if(m_mirror.distance(o.connections[i].from) * m_mirror.distance(o.connections[i].to) < 0)
+        return "The ends of " + guide_name(o.connections[i], "connection", i) +
+               " lie on different sides of a plane of symmetry; connect each of them with a point of the plane.";
+    for(std::size_t i = 0; i < o.index_guides.size(); ++i)
+      if(o.index_guides[i].is_sum && std::abs(m_mirror.distance(o.index_guides[i].point)) < o.index_guides[i].radius)
+        return "The region of " + guide_name(o.index_guides[i], "index", i) +
+               " crosses a plane of symmetry; a sum can be chosen on one side of it alone.";
+    return std::string();
+  }
+
   void apply(Quadrangulation_options& o) const
   {
     o.feature_curves = divided(o.feature_curves, "curve");
     o.strokes = divided(o.strokes, "stroke");
     for(Size_disc& d : o.size_discs)
       d.center = folded(d.center);
+    for(std::size_t i = 0; i < o.connections.size(); ++i)
+    {
+      o.connections[i].name = guide_name(o.connections[i], "connection", i);
+      o.connections[i].from = folded(o.connections[i].from);
+      o.connections[i].to = folded(o.connections[i].to);
+    }
     for(std::size_t i = 0; i < o.index_guides.size(); ++i)
     {
       o.index_guides[i].name = guide_name(o.index_guides[i], "index", i);

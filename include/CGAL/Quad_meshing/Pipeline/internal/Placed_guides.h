@@ -61,6 +61,13 @@ struct Placed_point
   Quadrangulation_kernel::Vector_3 normal;
 };
 
+// A connection on its component.
+struct Placed_connection
+{
+  std::string name;
+  Placed_point from, to;
+};
+
 // Finds the places of guides on the surfaces of a quadrangulation.
 class Guide_placer
 {

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -82,14 +83,34 @@ private:
     return false;
   }
 
+  // The edges inside of the surface that the user has marked to be followed, all as one curve. Both triangles at an
+  // edge name it.
+  void find_marked_edges()
+  {
+    m_marked.name = "the edges that were marked as curves";
+    std::set<std::pair<int, int>> sides;
+    for(std::size_t f = 0; f < m_input.is_curve.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        if(m_input.is_curve[f][k] != 0)
+        {
+          const int a = m_input.triangles[f][k], b = m_input.triangles[f][(k + 1) % 3];
+          if(sides.count({ b, a }) != 0)
+            m_marked.pieces.push_back({ m_input.points[a], m_input.points[b], NULL_VECTOR });
+          sides.insert({ a, b });
+        }
+  }
+
   static double weight_of(const Guide_curve&) { return 0; } // it is no stroke
   static double weight_of(const Guide_stroke& s) { return s.weight; }
 
   // Guides are put onto the surface as it was given; then it is cut along the curves.
   bool place_guides()
   {
-    if(m_options.feature_curves.empty() && m_options.strokes.empty() && m_options.index_guides.empty())
+    find_marked_edges();
+    if(m_options.feature_curves.empty() && m_options.strokes.empty() && m_options.index_guides.empty() &&
+       m_options.connections.empty())
       return true;
+    std::vector<Placed_curve> cuts;
     {
       const Guide_placer placer(m_surfaces, m_input);
       auto place = [&](const auto& guides, const char* kind, std::vector<Placed_curve>& placed)
@@ -111,11 +132,28 @@ private:
       for(std::size_t i = 0; i < m_options.index_guides.size(); ++i)
         m_indices.push_back({ &m_options.index_guides[i], guide_name(m_options.index_guides[i], "index", i),
                               placer.place(m_options.index_guides[i].point) });
+      cuts = m_curves;
+      for(std::size_t i = 0; i < m_options.connections.size(); ++i)
+      {
+        const Guide_connection& c = m_options.connections[i];
+        Guide_curve path;
+        path.points = { c.from, c.to };
+        Placed_curve placed;
+        placed.name = guide_name(c, "connection", i);
+        const std::string problem = placer.place(path, placed);
+        if(!problem.empty())
+        {
+          m_result.unmet_guides.push_back(problem);
+          continue;
+        }
+        m_connections.push_back({ placed.name, placer.place(c.from), placer.place(c.to) });
+        cuts.push_back(placed);
+      }
     }
-    if(m_curves.empty())
+    if(cuts.empty())
       return true;
     std::string error;
-    m_cut = std::make_unique<Triangle_input>(cut_input(m_input, m_curves, error));
+    m_cut = std::make_unique<Triangle_input>(cut_input(m_input, cuts, error));
     if(!error.empty())
       return refuse(error);
     m_surfaces.clear();
@@ -197,7 +235,7 @@ private:
     {
       Component_request request;
       request.has_features = m_input.has_features();
-      request.has_curves = !m_curves.empty();
+      request.has_curves = !m_curves.empty() || !m_connections.empty() || !m_marked.pieces.empty();
       request.length = edge_length_of_component(areas[i], lengths[i], m_surfaces.size());
       request.is_graded = is_graded;
       request.number_of_quads = areas[i] / (request.length * request.length);
@@ -212,6 +250,8 @@ private:
       m_requests[s.component].wishes.strokes.push_back(&s);
     for(const Component_wishes::Index_wish& w : m_indices)
       m_requests[w.place.component].wishes.indices.push_back(w);
+    for(const Placed_connection& c : m_connections)
+      m_requests[c.from.component].wishes.connections.push_back(&c);
     return true;
   }
 
@@ -270,7 +310,8 @@ private:
   {
     for(const auto& c : m_components)
       m_result.unmet_guides.insert(m_result.unmet_guides.end(), c->unmet.begin(), c->unmet.end());
-    if(quads.mesh.number_of_faces() == 0 || (m_curves.empty() && m_strokes.empty() && m_indices.empty()))
+    if(quads.mesh.number_of_faces() == 0 ||
+       (m_curves.empty() && m_marked.pieces.empty() && m_strokes.empty() && m_indices.empty() && m_connections.empty()))
       return;
     const Guide_report report(quads.mesh);
     auto add = [&](const std::string& sentence)
@@ -280,10 +321,14 @@ private:
     };
     for(const Placed_curve& c : m_curves)
       add(report.of_curve(c));
+    if(!m_marked.pieces.empty())
+      add(report.of_curve(m_marked));
     for(const Placed_curve& s : m_strokes)
       add(report.of_stroke(s));
     for(const Component_wishes::Index_wish& w : m_indices)
       add(report.of_index(w));
+    for(const Placed_connection& c : m_connections)
+      add(report.of_connection(c));
   }
 
   static void append(Quadrangulation_quads& part, std::size_t first_face, Quadrangulation_quads& quads)
@@ -368,6 +413,8 @@ private:
   std::vector<Component_request> m_requests;
   bool m_keeps_number = true; // the number of quads is asked for, and nothing that is more important than it
   std::vector<Placed_curve> m_curves, m_strokes;
+  Placed_curve m_marked; // edges of the input
+  std::vector<Placed_connection> m_connections;
   std::vector<Component_wishes::Index_wish> m_indices;
   std::unique_ptr<Triangle_input> m_cut; // along the curves; null if there are none
   std::vector<std::unique_ptr<Component_quadrangulation>> m_components;

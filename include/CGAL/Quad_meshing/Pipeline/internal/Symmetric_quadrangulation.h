@@ -191,7 +191,11 @@ private:
       if(!half.error.empty())
         return refuse(result, Status::REFUSED, half.error);
       m_part = half_of_input(m_part, half);
-      Mirrored_guides(mirror).apply(m_part_options);
+      const Mirrored_guides guides(mirror);
+      const std::string crossing = guides.crossing(m_part_options);
+      if(!crossing.empty())
+        return refuse(result, Status::REFUSED, crossing);
+      guides.apply(m_part_options);
     }
     double area = 0;
     for(const std::array<int, 3>& t : m_part.triangles)

@@ -39,7 +39,8 @@ struct Triangle_input
   std::vector<double> face_lengths;   // per triangle: of quad edges, 0 or less: no wish; empty: none is given
   std::vector<double> vertex_lengths; // per point: the same
 
-  // Of triangles that were cut along curves of the user.
+  // Sides that become chains of quad edges besides those that are features: marked by the user, or along curves of the
+  // user that the triangles were cut along.
   std::vector<std::array<char, 3>> is_curve; // per triangle and side; empty: there are no curves
   std::vector<std::size_t> origin;           // per triangle: its number before the cut; empty: the same
 
@@ -67,11 +68,11 @@ Triangle_input triangle_input(const TriangleMesh& tm, VertexPointMap vpm)
   return input;
 }
 
-// Border edges are features in their own right.
-template <typename TriangleMesh, typename EdgeIsFeatureMap>
-void set_features(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, Triangle_input& input)
+// The sides of the triangles on marked edges. Border edges are features in their own right.
+template <typename TriangleMesh, typename EdgeIsMarkedMap>
+std::vector<std::array<char, 3>> marked_sides(const TriangleMesh& tm, EdgeIsMarkedMap is_marked)
 {
-  input.is_feature.clear();
+  std::vector<std::array<char, 3>> result;
   for(auto f : faces(tm))
   {
     std::array<char, 3> sides;
@@ -79,10 +80,11 @@ void set_features(const TriangleMesh& tm, EdgeIsFeatureMap is_feature, Triangle_
     for(int k = 0; k < 3; ++k, h = next(h, tm))
     {
       const auto e = edge(h, tm);
-      sides[k] = get(is_feature, e) && !is_border(e, tm);
+      sides[k] = get(is_marked, e) && !is_border(e, tm);
     }
-    input.is_feature.push_back(sides);
+    result.push_back(sides);
   }
+  return result;
 }
 
 template <typename TriangleMesh, typename FaceSizingMap>

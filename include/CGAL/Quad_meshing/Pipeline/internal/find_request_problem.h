@@ -70,14 +70,23 @@ inline std::string problem_of_guides(const Triangle_input& input, const Quadrang
   {
     const Index_guide& g = o.index_guides[i];
     const std::string name = guide_name(g, "index", i);
-    if(!is_finite_point(g.point) || !is_length(g.radius))
+    if(!is_finite_point(g.point) || !(g.radius >= 0))
       return "A number of " + name + " is negative or not finite.";
+    if(g.is_sum)
+    {
+      if(!(g.radius > 0) || !is_length(g.radius))
+        return "The radius of " + name + " is not a positive number.";
+      continue;
+    }
     const int largest_index = 3; // a vertex has one quad at least
     if(g.index > largest_index)
       return "The index of " + name + " is larger than 3.";
     if(g.radius > 0 && g.index != 0)
       return "Only an index of 0 has a radius, which " + name + " has as well.";
   }
+  for(std::size_t i = 0; i < o.connections.size(); ++i)
+    if(!is_finite_point(o.connections[i].from) || !is_finite_point(o.connections[i].to))
+      return "A coordinate of " + guide_name(o.connections[i], "connection", i) + " is not a finite number.";
   for(std::size_t f = 0; f < input.face_lengths.size(); ++f)
     if(!std::isfinite(input.face_lengths[f]))
       return "The edge length of " + names.face(f) + " is not a finite number.";

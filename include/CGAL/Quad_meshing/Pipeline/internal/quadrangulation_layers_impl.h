@@ -10,19 +10,26 @@
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_QUADRANGULATION_LAYERS_IMPL_H
 
 #include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
+#include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Parameterization/T_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/internal/Quad_shape.h>
+#include <CGAL/Quad_meshing/internal/compatibility.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -260,14 +267,143 @@ CGAL_QUAD_MESHING_INLINE void add_layers_of_surface(Scene& scene, const Quadrang
   scene.layers.push_back(layer_of_singularities(surface));
 }
 
+// A layer of lines, each given by its middle and half of it; one in so many, so that there are not too many.
+class Line_thinner
+{
+  static constexpr std::size_t most_lines = 20000; // of 50 bytes each
+  const std::size_t m_step;
+  std::size_t m_seen = 0;
+
+public:
+  explicit Line_thinner(std::size_t lines) : m_step((lines + most_lines - 1) / most_lines) {}
+
+  template <typename Point, typename Vector>
+  void add(Scene_layer& layer, const Point& middle, const Vector& half)
+  {
+    if(m_seen++ % m_step != 0)
+      return;
+    const std::size_t a = layer.add_point(coordinates(middle - half)), b = layer.add_point(coordinates(middle + half));
+    layer.add_element(std::array<std::size_t, 2>{ { a, b } });
+  }
+};
+
+CGAL_QUAD_MESHING_INLINE void add_layers_of_curvature(Scene& scene, const Quadrangulation_surface& surface,
+                                                      const Quadrangulation_mesh& qm)
+{
+  typedef Quadrangulation_mesh Mesh;
+  typedef Quadrangulation_kernel::Point_3 Point_3;
+  typedef Quadrangulation_kernel::Vector_3 Vector_3;
+  typedef AABB_tree<Aabb_traits<Quadrangulation_kernel, AABB_face_graph_triangle_primitive<Mesh>>> Tree;
+
+  const Mesh& mesh = surface.mesh;
+  double length = 0;
+  for(Mesh::Face_index f : mesh.faces())
+    length += surface.length[f] / static_cast<double>(mesh.number_of_faces());
+  std::vector<std::optional<Vector_3>> direction(mesh.number_of_faces());
+  std::vector<double> weight(mesh.number_of_faces(), 0.);
+  if(!(length > 0) ||
+     !curvature_directions(mesh, length,
+                           boost::make_iterator_property_map(direction.begin(), get(boost::face_index, mesh)),
+                           boost::make_iterator_property_map(weight.begin(), get(boost::face_index, mesh)),
+                           parameters::face_sizing_map(surface.length).edge_is_constrained_map(surface.is_feature))
+        .is_valid())
+    return;
+
+  Scene_layer salient =
+    layer_of_marks("directions of least curvature", "Field and map", Scene_layer_kind::LINES, Scene_side::LEFT);
+  salient.color = "#108040";
+  salient.is_visible = false;
+  std::size_t number = 0;
+  for(const auto& d : direction)
+    number += d.has_value();
+  Line_thinner thinner(number);
+  const double share = 0.3; // of a quad
+  for(Mesh::Face_index f : mesh.faces())
+    if(direction[f])
+    {
+      const auto h = mesh.halfedge(f);
+      thinner.add(
+        salient,
+        centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))),
+        share * surface.length[f] * *direction[f]);
+    }
+  if(salient.size() == 0)
+    return;
+
+  const auto quads =
+    std::find_if(scene.layers.rbegin(), scene.layers.rend(),
+                 [&](const Scene_layer& l) { return l.name == "quads" && l.size() == qm.number_of_faces(); });
+  if(quads != scene.layers.rend())
+  {
+    const Tree tree(faces(mesh).first, faces(mesh).second, mesh);
+    Scene_numbers off = named_numbers("off the direction of least curvature, -1: it has none", "degrees");
+    off.low = 45;
+    off.high = 0;
+    for(Mesh::Face_index f : qm.faces())
+    {
+      std::array<Point_3, 4> c;
+      std::size_t k = 0;
+      for(Mesh::Vertex_index v : qm.vertices_around_face(qm.halfedge(f)))
+        c[k++] = qm.point(v);
+      const auto& d = direction[tree.closest_point_and_primitive(centroid(c[0], c[1], c[2], c[3])).second];
+      double least = 90;
+      for(const Vector_3& side : { (c[1] - c[0]) + (c[2] - c[3]), (c[2] - c[1]) + (c[3] - c[0]) })
+        if(d)
+          least =
+            (std::min)(least, std::atan2(std::sqrt(cross_product(side, *d).squared_length()), std::abs(side * *d)) *
+                                180 / CGAL_PI);
+      off.values.push_back(d ? (std::min)(least, 45.) : -1);
+    }
+    quads->numbers.push_back(off);
+  }
+  scene.layers.push_back(salient);
+}
+
+// Whether edges of the input lie along the features of the triangles of the work, by their middles.
+class Followed_edges
+{
+  typedef Quadrangulation_kernel::Segment_3 Segment_3;
+  typedef AABB_tree<Aabb_traits<Quadrangulation_kernel,
+                                AABB_segment_primitive<Quadrangulation_kernel, std::vector<Segment_3>::const_iterator>>>
+    Tree;
+
+  std::vector<Segment_3> m_segments;
+  std::unique_ptr<Tree> m_tree;
+  double m_largest_distance = 0;
+
+public:
+  explicit Followed_edges(const Quadrangulation_surface& surface)
+  {
+    const Quadrangulation_mesh& mesh = surface.mesh;
+    for(Quadrangulation_mesh::Edge_index e : mesh.edges())
+      if(surface.is_feature[e])
+        m_segments.push_back(Segment_3(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    if(!m_segments.empty())
+      m_tree = std::make_unique<Tree>(m_segments.cbegin(), m_segments.cend());
+    const double largest_distance = 0.3; // in lengths of quads; a working mesh keeps its curves nearer than that
+    for(Quadrangulation_mesh::Face_index f : mesh.faces())
+      m_largest_distance += largest_distance * surface.length[f] / static_cast<double>(mesh.number_of_faces());
+  }
+
+  bool include(const Quadrangulation_kernel::Point_3& middle) const
+  {
+    return m_tree && m_tree->squared_distance(middle) <= m_largest_distance * m_largest_distance;
+  }
+};
+
 CGAL_QUAD_MESHING_INLINE void add_layers_of_features(Scene& scene, const Component_copies& copies,
+                                                     const Quadrangulation_surface& surface,
                                                      const Quadrangulation_options& options)
 {
+  const bool is_done = surface.mesh.number_of_faces() > 0;
+  const Followed_edges followed(surface);
   Scene_layer kept = layer_of_marks("sharp edges, kept", "Input", Scene_layer_kind::LINES, Scene_side::LEFT);
   Scene_layer dropped =
     layer_of_marks("sharp edges, taken for noise", "Input", Scene_layer_kind::LINES, Scene_side::LEFT);
+  Scene_layer released = layer_of_marks("sharp edges, released", "Input", Scene_layer_kind::LINES, Scene_side::LEFT);
   kept.color = "#c02020";
   dropped.color = "#2040d0";
+  released.color = "#e08000";
   const double length =
     options.target_edge_length > 0 ? options.target_edge_length : copies.edge_length(options.target_number_of_quads);
   for(std::size_t i = 0; i < copies.surfaces.size(); ++i)
@@ -279,20 +415,17 @@ CGAL_QUAD_MESHING_INLINE void add_layers_of_features(Scene& scene, const Compone
     // 180 degrees ask for no sharp edges, which CGAL would take for all folds
     if(options.sharpness_angle < 180)
       Polygon_mesh_processing::detect_sharp_edges(mesh, options.sharpness_angle, is_sharp);
-    for(bool is_kept_layer : { true, false })
+    for(Quadrangulation_mesh::Edge_index e : mesh.edges())
     {
-      Scene_layer& layer = is_kept_layer ? kept : dropped;
-      for(Quadrangulation_mesh::Edge_index e : mesh.edges())
-      {
-        if(mesh.is_border(e) || (is_kept_layer ? !is_kept[e] : !is_sharp[e] || is_kept[e]))
-          continue;
-        const std::size_t p = layer.add_point(coordinates(mesh.point(mesh.vertex(e, 0))));
-        const std::size_t q = layer.add_point(coordinates(mesh.point(mesh.vertex(e, 1))));
-        layer.add_element(std::array<std::size_t, 2>{ { p, q } });
-      }
+      if(mesh.is_border(e) || (!is_kept[e] && !is_sharp[e]))
+        continue;
+      const auto &a = mesh.point(mesh.vertex(e, 0)), &b = mesh.point(mesh.vertex(e, 1));
+      Scene_layer& layer = !is_kept[e] ? dropped : is_done && !followed.include(midpoint(a, b)) ? released : kept;
+      const std::size_t p = layer.add_point(coordinates(a)), q = layer.add_point(coordinates(b));
+      layer.add_element(std::array<std::size_t, 2>{ { p, q } });
     }
   }
-  for(const Scene_layer& layer : { kept, dropped })
+  for(const Scene_layer& layer : { kept, dropped, released })
     if(layer.size() > 0)
       scene.layers.push_back(layer);
 }

@@ -26,7 +26,7 @@ CGAL_QUAD_MESHING_INLINE Grid_map_search_result search_grid_map(
   for(Quadrangulation_mesh::Face_index f : surface.mesh.faces())
     if(!(surface.length[f] > 0))
       surface.length[f] = request.edge_length;
-  r.quads = search_component(surface, { direction, weight, {}, {}, false, {} },
+  r.quads = search_component(surface, { direction, weight, {}, {}, false, {}, {} },
                              { options, request.edge_length, request.releasable_length,
                                options.target_edge_length == 0 ? request.number_of_quads : 0, request.number_of_quads },
                              limited, r.figures);
