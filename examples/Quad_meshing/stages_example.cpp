@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
 #include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
+#include <CGAL/Quad_meshing/Pipeline/smoothing_directions.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
 
 #include <CGAL/boost/graph/IO/OBJ.h>
@@ -27,6 +28,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace QM = CGAL::Quad_meshing;
 namespace np = CGAL::parameters;
@@ -55,7 +57,8 @@ int main(int argc, char* argv[])
 
     // Directions for the quads, that follow the curvature of the surface.
     auto direction = s.mesh.add_property_map<Mesh::Face_index, std::optional<Vector_3>>("f:direction").first;
-    auto weight = s.mesh.add_property_map<Mesh::Face_index, double>("f:weight", 0).first;
+    std::vector<double> weights(s.mesh.number_of_faces(), 0);
+    const auto weight = boost::make_iterator_property_map(weights.begin(), get(boost::face_index, s.mesh));
     QM::curvature_directions(s.mesh, length, direction, weight, np::edge_is_constrained_map(s.is_feature));
 
     // A cross field, a map to the plane along it, and the quads that the integer grid cuts the surface into. Plans say
@@ -67,10 +70,14 @@ int main(int argc, char* argv[])
     if(!found.is_valid())
       continue;
 
-    // Features stay where they are while the vertices move on the surface.
+    // Features stay where they are while the vertices move on the surface, and edges keep the directions of the field.
+    const QM::Smoothing_directions d = QM::smoothing_directions(s, weights);
+    const auto faces = get(boost::face_index, s.mesh);
     QM::smooth_quad_mesh(found.quads->mesh, s.mesh,
                          np::smooth_globally(true).edge_is_constrained_map(found.quads->is_feature),
-                         np::edge_is_constrained_map(s.is_feature));
+                         np::face_direction_map(boost::make_iterator_property_map(d.direction.begin(), faces))
+                           .face_direction_weight_map(boost::make_iterator_property_map(d.weight.begin(), faces))
+                           .edge_is_constrained_map(s.is_feature));
     result += found.quads->mesh;
   }
   std::ofstream out((argc > 3) ? argv[3] : "quads.obj");

@@ -78,6 +78,8 @@
 #include <CGAL/Quad_meshing/Layout/Surface_layout.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
+#include <CGAL/Quad_meshing/Layout/quads_of_t_mesh.h>
+#include <CGAL/Quad_meshing/Layout/quantize_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/surface_layout_files.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Custom_sparse_cholesky.h>
 #include <CGAL/Quad_meshing/Linear_algebra/Sparse_cholesky.h>
@@ -93,6 +95,7 @@
 #include <CGAL/Quad_meshing/Mixed_integer/solve_mixed_integer.h>
 #include <CGAL/Quad_meshing/Parameterization/Integer_grid_map_result.h>
 #include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
+#include <CGAL/Quad_meshing/Parameterization/T_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/is_integer_grid_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
@@ -104,6 +107,7 @@
 #include <CGAL/Quad_meshing/Pipeline/copy_components.h>
 #include <CGAL/Quad_meshing/Pipeline/quadrangulation_layers.h>
 #include <CGAL/Quad_meshing/Pipeline/search_grid_map.h>
+#include <CGAL/Quad_meshing/Pipeline/smoothing_directions.h>
 #include <CGAL/Quad_meshing/Quad_mesh/patch_coordinates.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_deviation.h>

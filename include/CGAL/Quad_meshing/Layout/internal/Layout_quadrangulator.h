@@ -318,7 +318,7 @@ private:
         may_not_move[m.source(h)] = may_not_move[m.target(h)] = 1;
     }
     std::fill_n(may_not_move.begin(), m_e.vertex_of_node.size(), 1); // the first ones
-    Indexed_reference reference{ m_input, {}, {}, {} };
+    Indexed_reference reference{ m_input, {}, {}, {}, {} };
     for(int h = 0; h < m_input.number_of_halfedges(); ++h)
       if(m_input.opposite[h] == -1)
         reference.borders.push_back({ { m_input.source(h), m_input.target(h) } });

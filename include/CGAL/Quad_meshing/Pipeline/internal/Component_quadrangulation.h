@@ -10,7 +10,6 @@
 #define CGAL_QUAD_MESHING_PIPELINE_INTERNAL_COMPONENT_QUADRANGULATION_H
 
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
-#include <CGAL/Quad_meshing/Fields/cross_field_directions.h>
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
@@ -20,6 +19,7 @@
 #include <CGAL/Quad_meshing/Pipeline/internal/Curve_nodes.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Working_surface.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/search_component.h>
+#include <CGAL/Quad_meshing/Pipeline/smoothing_directions.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_defects.h>
 #include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 #include <CGAL/Quad_meshing/Smoothing/smooth_quad_mesh.h>
@@ -120,14 +120,6 @@ private:
   // surface and singularities more: on a rocker arm at 4000 quads 9.6 degrees and 18 with 0.1, 8.2 and 32 with 1, 7.7
   // and 46 with 3.
   static constexpr double weight_of_alignment = 1;
-
-  // What a direction of the field counts for the smoothing, where weight one makes a deviation from it as bad as one
-  // from a right angle: everywhere, what a reliable direction of curvature adds, and a unit of importance near strokes.
-  // On a rocker arm at 4000 quads, edges are 7.1 degrees from the directions of curvature before the smoothing, 8.2
-  // after it without any weights and 7.1 with these; corners deviate by 1.8 and 2.0 degrees from right angles. Weights
-  // three times as large come to 6.5 and 2.5. Along a stroke across it, quads are 4.7 degrees off before the smoothing,
-  // and with these weights 3.5 after it.
-  static constexpr double weight_of_field = 0.1, weight_of_reliable_directions = 1, weight_of_importance = 4;
 
   bool prepare()
   {
@@ -311,34 +303,13 @@ private:
   // What the smoothing is told: the directions of the field, and how much they count.
   void keep_directions(const Grid_map_search::Directions& d)
   {
-    const Mesh& mesh = m_surface->mesh;
+    const Smoothing_directions directions = smoothing_directions(*m_surface, d.weight, d.importance);
     m_smoothed_directions = Indexed_directions();
-    m_smoothed_directions.mesh = make_indexed_triangle_mesh(mesh, parameters::default_values());
-    std::vector<double> quads; // per face: its area
-    for(Mesh::Face_index f : mesh.faces())
-    {
-      const Mesh::Halfedge_index h = mesh.halfedge(f);
-      quads.push_back(std::sqrt(squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                             mesh.point(mesh.target(mesh.next(h))))) /
-                      square(m_surface->length[f]));
-    }
-    for(Mesh::Face_index f : mesh.faces())
-    {
-      // Where triangles are small, some speak for their neighbors.
-      double weight = d.weight[f], area = quads[f];
-      for(Mesh::Face_index g : mesh.faces_around_face(mesh.halfedge(f)))
-        if(g != Mesh::null_face())
-        {
-          weight += d.weight[g];
-          area += quads[g];
-        }
-      const double reliability = area > 0 ? (std::min)(1., weight / area) : 0;
-      const double importance = d.importance.empty() ? 0 : d.importance[f] - 1;
-      m_smoothed_directions.weight.push_back(weight_of_field + weight_of_reliable_directions * reliability +
-                                             weight_of_importance * importance);
-      const Quadrangulation_kernel::Vector_3 v = cross_field_direction(f, mesh, m_surface->angle);
-      m_smoothed_directions.direction.push_back(Indexed_triangle_mesh::Vector_3(v.x(), v.y(), v.z()));
-    }
+    if(m_work.is_made())
+      m_smoothed_directions.mesh = make_indexed_triangle_mesh(m_surface->mesh, parameters::default_values());
+    m_smoothed_directions.weight = directions.weight;
+    for(const auto& v : directions.direction)
+      m_smoothed_directions.direction.push_back(Indexed_triangle_mesh::Vector_3(v->x(), v->y(), v->z()));
   }
 
   // The input, with these directions.
