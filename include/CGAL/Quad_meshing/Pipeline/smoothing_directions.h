@@ -50,11 +50,11 @@ inline Smoothing_directions smoothing_directions(const Quadrangulation_surface& 
                                                  const std::vector<double>& weight,
                                                  const std::vector<double>& importance = {})
 {
-  // Weight one makes a deviation from a direction as bad as one from a right angle. Everywhere, what a reliable direction
-  // of curvature adds, and a unit of importance near strokes. On a rocker arm at 4000 quads, edges are 7.1 degrees from
-  // the directions of curvature before the smoothing, 8.2 after it without any weights and 7.1 with these; corners
-  // deviate by 1.8 and 2.0 degrees from right angles. Weights three times as large come to 6.5 and 2.5. Along a stroke
-  // across it, quads are 4.7 degrees off before the smoothing, and with these weights 3.5 after it.
+  // Weight one makes a deviation from a direction as bad as one from a right angle. Everywhere, what a reliable
+  // direction of curvature adds, and a unit of importance near strokes. On a rocker arm at 4000 quads, edges are 7.1
+  // degrees from the directions of curvature before the smoothing, 8.2 after it without any weights and 7.1 with these;
+  // corners deviate by 1.8 and 2.0 degrees from right angles. Weights three times as large come to 6.5 and 2.5. Along a
+  // stroke across it, quads are 4.7 degrees off before the smoothing, and with these weights 3.5 after it.
   const double weight_of_field = 0.1, weight_of_reliable_directions = 1, weight_of_importance = 4;
 
   typedef Quadrangulation_mesh Mesh;
