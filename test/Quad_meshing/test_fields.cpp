@@ -509,6 +509,16 @@ void test_sectors()
     assert(sum == 4 - f.index[Vertex(0)]);
   }
 
+  // For quads much longer than the sectors are wide, singularities are merged, but a narrow sector keeps its quad.
+  for(double length : { 1., 2., 4., 8., 16. })
+  {
+    Field h = wedge(18, 6, degrees, { 0, 3, 6, 12 });
+    const Result q = CGAL::Quad_meshing::smooth_cross_field(
+      h.tm, h.angle, h.jump, h.index, params::target_edge_length(length).edge_is_constrained_map(h.feature));
+    check(h, q);
+    assert(q.is_valid() && q.empty_sectors == 0);
+  }
+
   // A constrained line that ends in the middle of the disk has one sector all around its end.
   Field f = wedge(18, 6, degrees, { 4 });
   check(f, compute(f));
