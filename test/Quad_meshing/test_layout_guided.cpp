@@ -548,9 +548,12 @@ void inverted_quads_become_straight()
   const int inner = 5 * (n + 1) + 5, far_away = n + 2;
   quads.points[inner] = QM::internal::Indexed_quad_mesh::Point_3(7.6, 5.2, 0);
   const std::vector<QM::internal::Indexed_quad_mesh::Point_3> before = quads.points;
-  const QM::internal::Indexed_reference reference{
-    QM::internal::make_indexed_triangle_mesh(TM::make_mesh(TM::grid(n, n, n, n)), params::default_values()), {}, {}, {}
-  };
+  const QM::internal::Indexed_reference reference{ QM::internal::make_indexed_triangle_mesh(
+                                                     TM::make_mesh(TM::grid(n, n, n, n)), params::default_values()),
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {} };
   QM::internal::Any_visitor visitor;
 
   const std::vector<char> all(quads.points.size(), 1);
