@@ -322,26 +322,20 @@ void test_gaps()
   assert(a.quads > 100 && a.quads == b.quads && a.singularities == b.singularities && a.energy == b.energy);
 }
 
-// A tube with two quads around it would have two edges between the same vertices. A grid that is a little finer has
-// three.
+// A tube with two quads around it would have two edges between the same vertices: it gets three, at the length that was
+// asked for.
 void test_grid_too_coarse()
 {
   const Mesh tm = test_meshes::make_mesh(test_meshes::cylinder(40, 40, false, 1, 10));
-  const double around = 2 * CGAL_PI;
-  auto run = [&](double length)
+  for(double quads_around : { 1.9, 2.4 })
   {
+    const double length = 2 * CGAL_PI / quads_around;
     Mesh qm;
     const Result r = QM::quadrangulate(tm, qm, parameters::target_edge_length(length));
     std::cout << "tube: " << r.message << std::endl;
-    assert(r.quads == qm.number_of_faces());
-    assert(r.flipped_triangles == 0);
-    return r;
-  };
-  const Result coarse = run(around / 1.9);
-  assert(coarse.status == Status::NOT_VALID && !coarse.message.empty());
-  assert(coarse.parameterization_attempts == 3);
-  const Result finer = run(around / 2.4);
-  assert(finer.is_valid() && finer.target_edge_length < around / 2.4 && finer.target_edge_length > 0.89 * around / 2.4);
+    assert(r.is_valid() && r.quads == qm.number_of_faces() && r.quads % 3 == 0);
+    assert(r.flipped_triangles == 0 && r.parameterization_attempts == 1 && r.target_edge_length == length);
+  }
 }
 
 // On a surface that is all noise at the scale of the quads there is no field to follow. That is said at once.
@@ -584,7 +578,8 @@ void test_bad_input_and_stops()
   assert(many.status == Status::INVALID_INPUT && many.message.find("quads are asked for") != std::string::npos);
 }
 
-// Parts with irregular vertices nearer to features than a quad: the first map does, and nothing is given up.
+// Parts with irregular vertices nearer to features than a quad: the first map does, rounded once more if the number of
+// quads is far off, and nothing is given up.
 void test_real_meshes()
 {
   for(const std::string name : { "fandisk", "couplingdown" })
@@ -600,7 +595,7 @@ void test_real_meshes()
     Mesh qm;
     const Result r = QM::quadrangulate(tm, qm, parameters::target_number_of_quads(4000));
     std::cout << name << ": " << r.message << std::endl;
-    assert(r.is_valid() && r.parameterization_attempts == 1 && r.released_feature_share == 0);
+    assert(r.is_valid() && r.parameterization_attempts <= 2 && r.released_feature_share == 0);
   }
 }
 

@@ -121,6 +121,8 @@ Mesh by_functions(const Mesh& tm, double number_of_quads)
     tm, number_of_quads,
     [](QM::Quadrangulation_surface& s, const Prepared& p, double length, double quads)
     {
+      for(Mesh::Face_index f : s.mesh.faces())
+        s.length[f] = length;
       const auto np = parameters::target_edge_length(length).edge_is_constrained_map(s.is_feature);
       assert(QM::smooth_cross_field(s.mesh, s.angle, s.period_jump, s.index,
                                     parameters::target_edge_length(length)
