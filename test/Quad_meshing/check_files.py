@@ -119,7 +119,8 @@ def main():
                     v, t = (int(x) - 1 for x in corner.split("/"))
                     levels.setdefault(material, []).append(vertices[v][2])
                     expected = (vertices[v][0] + vertices[v][2], vertices[v][1])
-                    check(max(abs(a - b) for a, b in zip(texture[t], expected)) < 1e-6, "a texture coordinate is wrong")
+                    # corners are seen from a thousandth of the way to the center of the quad, 0.1 away
+                    check(max(abs(a - b) for a, b in zip(texture[t], expected)) < 2e-4, "a texture coordinate is wrong")
     check(set(levels) == {"low", "high"} and abs(max(levels["low"]) - 0.375) < 1e-6 and abs(min(levels["high"]) - 0.375) < 1e-6,
           "the border of the materials is not where it was")
     run("painted.obj", "painted_quads.obj", "--groups=colors", code=2)

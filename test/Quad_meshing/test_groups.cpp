@@ -272,6 +272,14 @@ void test_transfer()
   assert(std::abs(area - 1) < 0.01); // the whole square, once
 }
 
+double area_of_quad(const Mesh& qm, Face f)
+{
+  const Halfedge h = qm.halfedge(f);
+  const Vector_3 one = qm.point(qm.target(qm.next(h))) - qm.point(qm.source(h));
+  const Vector_3 other = qm.point(qm.target(qm.next(qm.next(h)))) - qm.point(qm.target(h));
+  return std::sqrt(CGAL::cross_product(one, other).squared_length()) / 2;
+}
+
 // Two materials on a ball, divided by a wavy line along triangle edges: quads of both cover what triangles of both do.
 void test_materials_reach_quads()
 {
@@ -297,12 +305,12 @@ void test_materials_reach_quads()
                            boost::make_assoc_property_map(of_quads));
   std::array<double, 2> area = { { 0, 0 } }, wanted = { { 0, 0 } };
   for(Face f : qm.faces())
-    area[of_quads[f]] += CGAL::Polygon_mesh_processing::face_area(f, qm);
+    area[of_quads[f]] += area_of_quad(qm, f);
   for(Face f : read.mesh.faces())
     wanted[of_triangles[f]] += CGAL::Polygon_mesh_processing::face_area(f, read.mesh);
   std::cout << area[0] << " of " << wanted[0] << ", " << area[1] << " of " << wanted[1] << std::endl;
   for(int k = 0; k < 2; ++k)
-    assert(std::abs(area[k] / wanted[k] - 1) < 0.01);
+    assert(std::abs(area[k] / wanted[k] - 1) < 0.02); // quads are chords of the ball
   // The border is one closed line of quad edges.
   std::size_t borders = 0;
   std::map<Vertex, int> degree;
