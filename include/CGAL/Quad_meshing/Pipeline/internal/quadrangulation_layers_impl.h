@@ -356,7 +356,10 @@ CGAL_QUAD_MESHING_INLINE void add_layers_of_curvature(Scene& scene, const Quadra
     }
     quads->numbers.push_back(off);
   }
-  scene.layers.push_back(salient);
+  // Beside the layers of its group: the page lists groups one after the other.
+  const auto group_end = std::find_if(scene.layers.rbegin(), scene.layers.rend(),
+                                      [&](const Scene_layer& l) { return l.group == salient.group; });
+  scene.layers.insert(group_end.base(), salient);
 }
 
 // Whether edges of the input lie along the features of the triangles of the work, by their middles.
