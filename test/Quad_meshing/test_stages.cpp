@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Quad_meshing authors
 
-// The stages of quadrangulate(), called one after the other, give its mesh, bit for bit; and every plan of
-// default_grid_map_plans() has a mesh that needs it.
+// The stages of quadrangulate(), called one after the other, give its mesh, bit for bit; and meshes that need plans of
+// default_grid_map_plans().
 
 #undef NDEBUG
 #include "quad_mesh_checks.h"
