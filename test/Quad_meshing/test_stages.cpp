@@ -223,6 +223,7 @@ struct Request
 {
   double number_of_quads = 0, edge_length = 0;
   unsigned int seed = 0;
+  bool align_boundary = true;
 };
 
 Result run(const Mesh& tm, const Request& request, const std::string& without, Mesh& quads)
@@ -232,6 +233,7 @@ Result run(const Mesh& tm, const Request& request, const std::string& without, M
   o.target_number_of_quads = request.number_of_quads;
   o.target_edge_length = request.edge_length;
   o.random_seed = request.seed;
+  o.align_boundary = request.align_boundary;
   o.work_on_input = true;
   o.plans.erase(std::remove_if(o.plans.begin(), o.plans.end(),
                                [&](const QM::Grid_map_plan_rule& rule) { return rule.name == without; }),
@@ -266,6 +268,14 @@ void check_plan(const std::string& name, const Mesh& tm, const Request& request)
   };
   assert(!without.is_valid() || without.released_feature_share > with.released_feature_share ||
          (without.released_feature_share == with.released_feature_share && deviation(without) > deviation(with)));
+}
+
+// A tube with two cells around has none that is a mesh. Where borders need not be aligned, there is no T-mesh to help.
+void test_plans_for_coarse_grids()
+{
+  const Mesh tube = mesh_of(test_meshes::cylinder(40, 40, false, 1, 10));
+  check_plan("finer", tube, { 0, 2 * CGAL_PI / 2.4, 0, false });
+  check_plan("still finer", tube, { 0, 2 * CGAL_PI / 2.3, 0, false });
 }
 
 void test_plans_for_the_number()
@@ -335,6 +345,7 @@ int main(int argc, char** argv)
                    { { "stages", test_stages },
                      { "components", test_components },
                      { "data", test_data },
+                     { "plans_for_coarse_grids", test_plans_for_coarse_grids },
                      { "plans_for_the_number", test_plans_for_the_number },
                      { "random_seed", test_random_seed },
                      { "stiffening_iterations", test_stiffening_iterations } });

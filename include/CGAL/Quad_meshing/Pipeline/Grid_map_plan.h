@@ -92,10 +92,14 @@ struct Grid_map_plan_rule
 folded triangles. That can only happen where there is no T-mesh to choose them by, as borders need not be aligned.
 - "other field": a field whose singularities lie elsewhere: of `REPRESENTATION` if `POLISHED` was asked for, else of
 `POLISHED`.
+- "shorter edges", "still shorter edges", "shortest edges": 0.85, 0.7 and 0.5 times the length, where integers are to
+blame for folded triangles and there is no T-mesh; the message says that there are more quads than were asked for.
 - "release within 2", "release within 4", "release within 8": without the detected feature edges that are this near to
 folded triangles.
 - "release curves within 2", "release curves within 8": without the curves of the user there, the last resort; the
 answer names them.
+- "finer", "still finer": where the map has no folded triangle, but its grid is too coarse for a mesh, and there is no
+T-mesh.
 - "nearer number", "still nearer number": another length where the number of quads is far from the one asked for.
 */
 CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans();

@@ -54,6 +54,17 @@ inline Optional_plan plan_other_field(const Grid_map_situation& s)
   return plan;
 }
 
+// Where things lie so near to each other that no integers keep them apart, shorter edges give them room: more quads
+// than were asked for are better than features that are not followed.
+inline Optional_plan plan_shorter(const Grid_map_situation& s, double relative_length)
+{
+  if(!is_folded(s) || s.folded_before_rounding != 0)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.relative_length = relative_length;
+  return plan;
+}
+
 // Where feature edges leave no room, those nearby are released, farther and farther around.
 inline Optional_plan plan_release(const Grid_map_situation& s, double radius)
 {
@@ -77,6 +88,16 @@ inline Optional_plan plan_release_curves(const Grid_map_situation& s, double rad
   return plan;
 }
 
+// The grid of a map without fold-overs may still be too coarse for a mesh, where the surface is narrow.
+inline Optional_plan plan_finer(const Grid_map_situation& s, double relative_length)
+{
+  if(!is_unfolded(s) || s.is_simple)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.relative_length = relative_length;
+  return plan;
+}
+
 // Integers round lengths, most of all between features: the number of quads says by how much.
 inline Optional_plan plan_nearer_number(const Grid_map_situation& s)
 {
@@ -93,18 +114,28 @@ inline Optional_plan plan_nearer_number(const Grid_map_situation& s)
 
 CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans()
 {
+  // Each about doubles the number of quads at most, up to four times as many.
+  auto shorter = [](double relative_length)
+  { return [relative_length](const Grid_map_situation& s) { return internal::plan_shorter(s, relative_length); }; };
   auto release = [](double radius)
   { return [radius](const Grid_map_situation& s) { return internal::plan_release(s, radius); }; };
   auto release_curves = [](double radius)
   { return [radius](const Grid_map_situation& s) { return internal::plan_release_curves(s, radius); }; };
+  auto finer = [](double relative_length)
+  { return [relative_length](const Grid_map_situation& s) { return internal::plan_finer(s, relative_length); }; };
   return { { "as requested", internal::plan_as_requested },
            { "other length", internal::plan_other_length },
            { "other field", internal::plan_other_field },
+           { "shorter edges", shorter(0.85) },
+           { "still shorter edges", shorter(0.7) },
+           { "shortest edges", shorter(0.5) },
            { "release within 2", release(2) },
            { "release within 4", release(4) },
            { "release within 8", release(8) },
            { "release curves within 2", release_curves(2) },
            { "release curves within 8", release_curves(8) },
+           { "finer", finer(0.95) },
+           { "still finer", finer(0.9) },
            { "nearer number", internal::plan_nearer_number },
            { "still nearer number", internal::plan_nearer_number } };
 }
