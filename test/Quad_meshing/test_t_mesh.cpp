@@ -428,13 +428,27 @@ void test_narrow_tube()
   }
 }
 
-// Without aligned borders there is no T-mesh, and it says so.
+// Before a map is rounded, and where borders are not aligned, there is no T-mesh; it says so, and there are no lengths.
 void test_refusals()
 {
-  std::vector<int> lengths;
-  assert(!QM::T_mesh().is_valid());
-  const QM::T_mesh_quantization_result r = QM::quantize_t_mesh(QM::T_mesh(), lengths);
-  assert(!r.is_valid && !r.message.empty() && lengths.empty());
+  Mapped_surface s(test_meshes::cube(4), 0.4);
+  Mesh tube = test_meshes::make_mesh<Mesh>(test_meshes::cylinder(24, 12, false));
+  auto angle = tube.add_property_map<Mesh::Face_index, double>("f:angle").first;
+  auto jump = tube.add_property_map<Mesh::Edge_index, int>("e:jump").first;
+  auto index = tube.add_property_map<Mesh::Vertex_index, int>("v:index").first;
+  auto uv = tube.add_property_map<Mesh::Halfedge_index, test_meshes::Kernel::Point_2>("h:uv").first;
+  const auto np = parameters::target_edge_length(0.3).align_boundary(false);
+  assert(QM::smooth_cross_field(tube, angle, jump, index, np).is_valid());
+  QM::Seamless_map map(tube, angle, jump, index, np);
+  assert(map.is_solved());
+  map.round_without_repair(tube, 1, uv);
+  for(const QM::T_mesh& t : { s.map.t_mesh(), map.t_mesh() })
+  {
+    std::vector<int> lengths;
+    const QM::T_mesh_quantization_result r = QM::quantize_t_mesh(t, lengths);
+    std::cout << r.message << std::endl;
+    assert(!t.is_valid() && !r.is_valid && !r.message.empty() && lengths.empty());
+  }
 }
 
 } // namespace

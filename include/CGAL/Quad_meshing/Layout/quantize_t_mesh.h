@@ -79,7 +79,8 @@ inline T_mesh_quantization_result quantize_t_mesh(const T_mesh& t, std::vector<i
   std::vector<int> at_least(t.arcs.size(), 0);
   internal::T_mesh_lengths search(t, lengths, at_least);
   result.rounded_energy = search.energy();
-  // Three is enough for any arc: then no two vertices are joined twice. Each round lengthens one at least.
+  // A bound on the bounds: patches of three by three quads have no two vertices that are joined twice. Each round
+  // lengthens one arc at least.
   const int longest_bound = 4;
   while(true)
   {

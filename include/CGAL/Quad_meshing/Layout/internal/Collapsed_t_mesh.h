@@ -76,6 +76,17 @@ public:
     return sum;
   }
 
+  // Of the arcs of a side of a patch and of the opposite one, the longest in the map.
+  int longest_arc(int patch, int side) const
+  {
+    int best = -1;
+    for(int k : { side, (side + 2) & 3 })
+      for(int d : m_t.patches[patch].sides[k])
+        if(best == -1 || m_t.arcs[d / 2].length > m_t.arcs[best].length)
+          best = d / 2;
+    return best;
+  }
+
   // Arcs that have to become longer before the surface can stay what it is, and what must stay apart does: one for each
   // conflict, not necessarily all of them.
   std::vector<int> conflicts()
@@ -114,16 +125,6 @@ private:
       for(int i = 0; i < m_length[d / 2]; ++i)
         result.push_back(m_first_edge[d / 2] + (d & 1 ? m_length[d / 2] - 1 - i : i));
     return result;
-  }
-
-  int longest_arc(int patch, int side) const
-  {
-    int best = -1;
-    for(int k : { side, (side + 2) & 3 })
-      for(int d : m_t.patches[patch].sides[k])
-        if(best == -1 || m_t.arcs[d / 2].length > m_t.arcs[best].length)
-          best = d / 2;
-    return best;
   }
 
   void glue()

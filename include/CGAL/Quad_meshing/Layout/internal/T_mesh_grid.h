@@ -49,8 +49,9 @@ public:
   std::vector<Block> blocks; // per patch
   std::vector<Aligned_edge> aligned_edges;
   int number_of_points = 0; // of the T-mesh, and inside patches
+  Collapsed_t_mesh collapsed;
 
-  T_mesh_grid(const T_mesh& t, const std::vector<int>& length) : m_t(t), m_length(length), collapsed(t, length)
+  T_mesh_grid(const T_mesh& t, const std::vector<int>& length) : collapsed(t, length)
   {
     number_of_points = collapsed.number_of_points();
     for(std::size_t p = 0; p < t.patches.size(); ++p)
@@ -80,7 +81,7 @@ public:
   {
     std::map<std::pair<int, int>, int> side_of; // directed edges: 4 * quad + side
     std::vector<int> arcs;
-    const auto lengthen = [&](int side) { arcs.push_back(longest_arc(quads[side / 4].patch, side & 3)); };
+    const auto lengthen = [&](int side) { arcs.push_back(collapsed.longest_arc(quads[side / 4].patch, side & 3)); };
     for(std::size_t q = 0; q < quads.size(); ++q)
       for(int k = 0; k < 4; ++k)
       {
@@ -116,23 +117,6 @@ public:
   }
 
 private:
-  const T_mesh& m_t;
-  const std::vector<int>& m_length;
-
-public:
-  Collapsed_t_mesh collapsed;
-
-private:
-  int longest_arc(int patch, int side) const
-  {
-    int best = -1;
-    for(int k : { side, (side + 2) & 3 })
-      for(int d : m_t.patches[patch].sides[k])
-        if(best == -1 || m_t.arcs[d / 2].length > m_t.arcs[best].length)
-          best = d / 2;
-    return best;
-  }
-
   void add_quads(int p)
   {
     const Block& b = blocks[p];

@@ -110,10 +110,9 @@ private:
     IF_BETTER    // and the energy falls
   };
 
-  // A change of arcs, and of sums of sides.
   struct Walk
   {
-    std::vector<std::pair<int, int>> arcs; // by how much
+    std::vector<std::pair<int, int>> arcs; // each with what it changes by, 1 or -1
   };
 
   static constexpr int most_sweeps = 50; // each lessens the energy; far more than it takes
