@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -230,9 +231,20 @@ private:
     return deficit_after > deficit_before ? std::numeric_limits<double>::infinity() : after - before;
   }
 
+  // Brings a quad to a sector from the nearest one that can spare one. If the vertex itself has more quads in another
+  // sector, beside an edge that ends nearby, it is one of those unless that is much farther: else the vertex would
+  // become singular, and another one close by, and the columns of quads between them need not have a way out.
   bool fetch_quad(int receiver, Cross_field& field, int least_valence)
   {
-    return move_quad(receiver, 1, field, [&](int s) { return !lacks_quads(s, m_quads[s] - 1, least_valence); });
+    const Way nearest = find_way(receiver, 1, field, [&](int s) { return !lacks_quads(s, m_quads[s] - 1, least_valence); });
+    const Way own = find_way(receiver, 1, field,
+                             [&](int s)
+                             {
+                               return m_problem->sectors.vertex[s] == m_problem->sectors.vertex[receiver] &&
+                                      !lacks_quads(s, m_quads[s] - 1, 0);
+                             });
+    const bool is_own = own.is_found && own.length < nearest.length + self_energy;
+    return take(is_own ? own : nearest, field);
   }
 
   // Brings a quad to a sector (`gain` 1) from the nearest one that may lose it, or takes one away (-1) to the nearest
@@ -240,14 +252,40 @@ private:
   template <typename May_change>
   bool move_quad(int receiver, int gain, Cross_field& field, const May_change& may_change)
   {
+    return take(find_way(receiver, gain, field, may_change), field);
+  }
+
+  // Changes of jumps, which move a quad; an estimate of what they cost.
+  struct Way
+  {
+    bool is_found = false;
+    double length = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<int, int>> changes; // edge, by how much
+  };
+
+  // The self-energy of a jump, see Jump_polish; keeps the lengths of all steps positive.
+  static constexpr double self_energy = quarter_turn * quarter_turn / 3;
+
+  bool take(const Way& way, Cross_field& field)
+  {
+    for(const std::pair<int, int>& c : way.changes)
+    {
+      field.period_jump[c.first] += c.second;
+      change_jump(c.first, c.second);
+    }
+    return way.is_found;
+  }
+
+  template <typename May_change>
+  Way find_way(int receiver, int gain, const Cross_field& field, const May_change& may_change) const
+  {
     const Indexed_triangle_mesh& m = m_problem->mesh;
-    // The self-energy of a jump, see Jump_polish; keeps the lengths of all steps positive.
-    const double self_energy = quarter_turn * quarter_turn / 3;
     const double shortest_step = 0.01;
 
     Distance_front front(m_problem->sectors.number_of_sectors());
     std::vector<int> from_halfedge(m_problem->sectors.number_of_sectors(), -1);
     front.reach(receiver, 0.);
+    Way way;
     int s;
     for(double length; front.pop(s, length);)
     {
@@ -257,11 +295,11 @@ private:
         {
           // The halfedge leaves the sector that receives.
           const int e = m.edge_of[from_halfedge[t]];
-          const int by = m.halfedge_of_edge[e] == from_halfedge[t] ? -gain : gain;
-          field.period_jump[e] += by;
-          change_jump(e, by);
+          way.changes.push_back({ e, m.halfedge_of_edge[e] == from_halfedge[t] ? -gain : gain });
         }
-        return true;
+        way.is_found = true;
+        way.length = length;
+        return way;
       }
       const int first = m_problem->sectors.first_corner[s];
       for(int h = first; h != -1 && m_problem->sectors.of_corner[h] == s;)
@@ -281,7 +319,7 @@ private:
           break;
       }
     }
-    return false;
+    return way;
   }
 
   const Field_problem* m_problem;

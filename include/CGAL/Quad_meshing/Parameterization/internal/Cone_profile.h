@@ -32,9 +32,16 @@ namespace internal {
 // infinite energy and leaves the right one finite if the lengths that are asked for shrink with it, as r^(q/4 - 1).
 // Both hold within a small distance of the vertex. For a sector between aligned edges, q/4 is its right angles
 // over its angle on the surface.
+//
+// How small that distance is depends on what pulls at the vertex: each sector has a reach of its own.
 class Cone_profile
 {
 public:
+  // The reach to begin with, in target edge lengths. Measured on 36 models at 4000 quads, with weights at all irregular
+  // corners: with 2 and with 4, 31 of them need no second map (26 without these weights); 4 makes edge lengths less
+  // even.
+  static constexpr double first_reach = 2;
+
   std::vector<double> weight; // per face
   std::vector<double> sizing; // per face: the target edge length
 
@@ -46,15 +53,16 @@ public:
     return other;
   }
 
+  // `reach` per sector, in target edge lengths.
   Cone_profile(const Indexed_triangle_mesh& mesh, const Vertex_sectors& sectors, const std::vector<bool>& is_aligned,
-               const std::vector<double>& target_edge_length)
+               const std::vector<double>& target_edge_length, const std::vector<double>& reach)
     : weight(mesh.number_of_faces(), 1.), sizing(target_edge_length)
   {
     Search search{ mesh, is_aligned, target_edge_length, std::vector<double>(mesh.number_of_faces(), 1.),
                    std::vector<int>(mesh.number_of_faces(), -1) };
     for(std::size_t i = 0; i < sectors.list.size(); ++i)
       if(sectors.list[i].is_irregular)
-        visit(sectors.list[i], static_cast<int>(i), search);
+        visit(sectors.list[i], static_cast<int>(i), reach[i], search);
   }
 
 private:
@@ -68,11 +76,7 @@ private:
     std::vector<int> seen_from;  // per face: a sector
   };
 
-  // In target edge lengths. Measured on 36 models at 4000 quads, with weights at all irregular corners: with 2 and with
-  // 4, 31 of them need no second map (26 without these weights); 4 makes edge lengths less even.
-  static constexpr double reach = 2;
-
-  void visit(const Vertex_sectors::Sector& sector, int number, Search& s)
+  void visit(const Vertex_sectors::Sector& sector, int number, double reach, Search& s)
   {
     const double largest_weight = 1000; // a triangle whose centroid is this near is far smaller than a quad
     const double largest_grading = 4;   // of the lengths, either way

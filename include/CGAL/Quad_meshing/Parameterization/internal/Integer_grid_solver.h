@@ -57,7 +57,9 @@ public:
     , coordinates(charts, is_singular, is_aligned)
     , faces(charts, sizing)
     , m_sectors(coordinates, quarters, is_aligned)
-    , m_profile(mesh, m_sectors, is_aligned, sizing)
+    , m_is_aligned(is_aligned)
+    , m_sizing(sizing)
+    , m_reach(m_sectors.list.size(), Cone_profile::first_reach)
     , m_optimization(coordinates, faces, m_sectors, progress)
     , m_progress(progress)
   {
@@ -73,44 +75,32 @@ public:
   // rounded. `weight` per face: of its energy. Returns false if the energy could not be factorized.
   bool solve_seamless(const std::vector<double>& weight, double anisotropy, unsigned int stiffening_iterations)
   {
-    struct Reduction
-    {
-      Orientation_energy energy;
-      std::vector<bool> is_integer;
-      Integer_energy result;
-      bool is_done;
-    };
-    const auto data =
-      std::make_shared<Reduction>(Reduction{ Orientation_energy(coordinates, Face_gradients(charts, m_profile.sizing),
-                                                                m_profile.weighted(weight), anisotropy, &m_progress),
-                                             coordinates.is_integer, Integer_energy(), false });
-    const Orientation_energy& energy = data->energy;
-    if(!m_progress.go_further() ||
-       !run_aside(coordinates.number_of_variables(), m_progress, data,
-                  [](Reduction& r) { r.is_done = r.result.compute(r.energy.A, r.energy.b, r.is_integer); }) ||
-       !data->is_done)
+    if(!minimize_seamless(weight, anisotropy) || !m_progress.go_further())
       return false;
-    m_reduction = std::move(data->result);
-    relaxed = m_reduction.complete(m_reduction.target());
-    if(!relaxed.allFinite() || !m_progress.go_further())
-      return false;
-    m_constant = energy.constant;
-    relaxed_energy = m_reduction.energy(relaxed) + m_constant;
-    m_optimization.operations_left = most_operations;
-    if(!m_progress.go_further())
-      return false;
-    // Moving vertices alone is local and mostly enough; translations and grid lines reach far. If neither is, from a
-    // stiffer map.
-    const Eigen::VectorXd start = relaxed;
+    Eigen::VectorXd folded_map = relaxed;
     if(untangle_seamless(relaxed))
       return true;
-    Eigen::VectorXd other = start;
-    stiffen(other, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations, anisotropy);
+    // What pulls at an irregular vertex around which the map is folded is stronger than its profile, or comes from
+    // farther away.
+    const int most_widenings = 3;
+    const double growth = 2;
+    for(int i = 0; i < most_widenings; ++i)
+    {
+      if(!m_progress.go_further() || !widen_profile(growth))
+        break;
+      if(!minimize_seamless(weight, anisotropy) || !m_progress.go_further())
+        return false;
+      folded_map = relaxed;
+      if(untangle_seamless(relaxed))
+        return true;
+    }
+    stiffen(folded_map, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations,
+            anisotropy);
     if(!m_progress.go_further())
       return false;
-    untangle_seamless(other);
-    if(m_optimization.folded_faces(other).size() < m_optimization.folded_faces(relaxed).size())
-      relaxed = other;
+    untangle_seamless(folded_map);
+    if(m_optimization.folded_faces(folded_map).size() < m_optimization.folded_faces(relaxed).size())
+      relaxed = folded_map;
     folded_before_rounding = m_optimization.folded_faces(relaxed);
     return true;
   }
@@ -284,7 +274,9 @@ public:
 
 private:
   const Vertex_sectors m_sectors;
-  const Cone_profile m_profile;
+  const std::vector<bool>& m_is_aligned;
+  const std::vector<double>& m_sizing;
+  std::vector<double> m_reach; // per sector: of the cone profile, in target edge lengths
   Map_optimization m_optimization;
   Stage_progress& m_progress;
   Integer_energy m_reduction;
@@ -293,6 +285,79 @@ private:
   // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly
   // every triangle no amount of work helps.
   static constexpr double most_operations = 1e10;
+
+  // The minimum of the energy without integer conditions. Returns false if it could not be factorized.
+  bool minimize_seamless(const std::vector<double>& weight, double anisotropy)
+  {
+    struct Reduction
+    {
+      Orientation_energy energy;
+      std::vector<bool> is_integer;
+      Integer_energy result;
+      bool is_done;
+    };
+    const Cone_profile profile(mesh, m_sectors, m_is_aligned, m_sizing, m_reach);
+    const auto data =
+      std::make_shared<Reduction>(Reduction{ Orientation_energy(coordinates, Face_gradients(charts, profile.sizing),
+                                                                profile.weighted(weight), anisotropy, &m_progress),
+                                             coordinates.is_integer, Integer_energy(), false });
+    const Orientation_energy& energy = data->energy;
+    if(!m_progress.go_further() ||
+       !run_aside(coordinates.number_of_variables(), m_progress, data,
+                  [](Reduction& r) { r.is_done = r.result.compute(r.energy.A, r.energy.b, r.is_integer); }) ||
+       !data->is_done)
+      return false;
+    m_reduction = std::move(data->result);
+    relaxed = m_reduction.complete(m_reduction.target());
+    if(!relaxed.allFinite())
+      return false;
+    m_constant = energy.constant;
+    relaxed_energy = m_reduction.energy(relaxed) + m_constant;
+    m_optimization.operations_left = most_operations;
+    return true;
+  }
+
+  // The profiles of the irregular sectors that are nearest to each part of the map that is folded reach farther by a
+  // factor. Returns whether there are any.
+  bool widen_profile(double factor)
+  {
+    const std::vector<int> folded = m_optimization.folded_faces(relaxed);
+    std::vector<bool> is_folded(mesh.number_of_faces(), false), is_wider(m_sectors.list.size(), false);
+    for(int f : folded)
+      is_folded[f] = true;
+    std::vector<int> seen_from(mesh.number_of_faces(), -1);
+    for(int seed : folded)
+    {
+      if(seen_from[seed] != -1)
+        continue;
+      // All of the part, then around it, ring by ring.
+      std::vector<int> front(1, seed), ring;
+      seen_from[seed] = seed;
+      while(!front.empty())
+      {
+        bool is_found = false;
+        for(std::size_t i = 0; i < front.size(); ++i)
+          for(int h = 3 * front[i]; h < 3 * front[i] + 3; ++h)
+          {
+            const int s = m_sectors.sector_of_corner[h], g = mesh.opposite[h] == -1 ? -1 : mesh.opposite[h] / 3;
+            if(s != -1 && m_sectors.list[s].is_irregular)
+              is_found = is_wider[s] = true;
+            if(g == -1 || seen_from[g] == seed)
+              continue;
+            seen_from[g] = seed;
+            (is_folded[g] ? front : ring).push_back(g);
+          }
+        if(is_found)
+          break;
+        front.clear();
+        front.swap(ring);
+      }
+    }
+    for(std::size_t s = 0; s < is_wider.size(); ++s)
+      if(is_wider[s])
+        m_reach[s] *= factor;
+    return std::find(is_wider.begin(), is_wider.end(), true) != is_wider.end();
+  }
 
   bool untangle_seamless(Eigen::VectorXd& y)
   {
