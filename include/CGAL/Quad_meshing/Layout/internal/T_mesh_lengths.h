@@ -60,6 +60,9 @@ public:
       }
     m_cost.assign(4 * t.arcs.size(), -1.);
     m_from.assign(4 * t.arcs.size(), -1);
+    m_is_open.assign(2 * t.arcs.size(), 1);
+    m_readers.resize(t.patches.size());
+    m_last_reader.assign(t.patches.size(), -1);
   }
 
   // Sum over all patches of the Dirichlet energy of the differences between the lengths and the real ones.
@@ -88,17 +91,23 @@ public:
     return true;
   }
 
-  // Takes walks that lessen the energy until none is found.
+  // Takes walks that lessen the energy until none is found. Where a search has found none, another one is no use before
+  // a patch changes that it has seen; bounds only rise.
   void improve()
   {
     bool is_better = true;
     for(int sweep = 0; is_better && sweep < most_sweeps; ++sweep)
     {
       is_better = false;
-      for(std::size_t a = 0; a < m_length.size(); ++a)
-        for(int s : { 1, -1 })
-          while(change(static_cast<int>(a), s, Rule::IF_BETTER))
-            is_better = true;
+      for(int first = 0; first < static_cast<int>(m_is_open.size()); ++first)
+        while(m_is_open[first])
+        {
+          m_is_open[first] = 0;
+          m_reader = first;
+          if(change(first / 2, sign(first), Rule::IF_BETTER))
+            m_is_open[first] = is_better = true;
+          m_reader = -1;
+        }
     }
   }
 
@@ -128,6 +137,11 @@ private:
   std::vector<double> m_cost; // of the cheapest walk to it; -1: none is known
   std::vector<int> m_from;    // the state before it
   std::vector<int> m_touched; // states with a cost
+  // Per change that a walk may begin with, 2 * arc + (1 if it becomes shorter): whether to look for a walk.
+  std::vector<char> m_is_open;
+  std::vector<std::vector<int>> m_readers; // per patch: changes with which no walk began when it was as it is
+  std::vector<int> m_last_reader;          // per patch
+  int m_reader = -1;                       // the one that is tried; -1: none
 
   // A patch much longer than wide feels a change of its width all along.
   double stiffness(int p, int k) const
@@ -148,10 +162,30 @@ private:
   }
 
   static int sign(int state) { return state & 1 ? -1 : 1; }
+
+  // What is found depends on this patch.
+  void read(int p)
+  {
+    if(m_reader == -1 || m_last_reader[p] == m_reader)
+      return;
+    m_last_reader[p] = m_reader;
+    m_readers[p].push_back(m_reader);
+  }
+
+  void touch(int p)
+  {
+    for(int first : m_readers[p])
+      m_is_open[first] = 1;
+    m_readers[p].clear();
+    m_last_reader[p] = -1;
+  }
   static int state(int direction, int s) { return 2 * direction + (s < 0); }
 
   bool change(int arc, int s, Rule rule)
   {
+    for(int p : m_t.arcs[arc].patch)
+      if(p != -1)
+        read(p);
     if(!may_change(arc, s, rule))
       return false;
     double limit = (std::numeric_limits<double>::infinity)();
@@ -263,6 +297,7 @@ private:
           return; // the arc lies on the border: there is no way round
         continue;
       }
+      read(p);
       const int k = m_side[d];
       const double least = 1e-3; // so that of two walks as good the shorter one is taken
       const double shear = 0.25; // times the stiffness: what it costs to move a side along itself; a choice
@@ -322,8 +357,15 @@ private:
       is_allowed = energy_around(walk) < before - smallest_gain;
     }
     if(!is_allowed)
+    {
       add(walk, -1);
-    return is_allowed;
+      return false;
+    }
+    for(const auto& a : walk.arcs)
+      for(int p : m_t.arcs[a.first].patch)
+        if(p != -1)
+          touch(p);
+    return true;
   }
 
   void add(const Walk& walk, int times)

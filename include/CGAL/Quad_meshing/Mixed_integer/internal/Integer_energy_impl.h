@@ -117,7 +117,13 @@ CGAL_QUAD_MESHING_INLINE double Integer_energy::cost(const Eigen::VectorXd& y) c
 CGAL_QUAD_MESHING_INLINE Mixed_integer_problem Integer_energy::problem() const
 {
   Mixed_integer_problem result(size());
-  result.set_energy(m_S.sparseView(), m_c, m_constant);
+  Eigen::SparseMatrix<double> S(size(), size());
+  S.reserve(Eigen::VectorXi::Constant(size(), size()));
+  for(int j = 0; j < size(); ++j)
+    for(int i = 0; i < size(); ++i)
+      if(m_S(i, j) != 0)
+        S.insert(i, j) = m_S(i, j);
+  result.set_energy(S, m_c, m_constant);
   for(int i = 0; i < size(); ++i)
     result.set_integer(i);
   return result;
