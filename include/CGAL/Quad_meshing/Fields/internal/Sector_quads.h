@@ -236,10 +236,10 @@ private:
   // become singular, and another one close by, and the columns of quads between them need not have a way out.
   bool fetch_quad(int receiver, Cross_field& field, int least_valence)
   {
-    const Way nearest = find_way(receiver, 1, field, [&](int s) { return !lacks_quads(s, m_quads[s] - 1, least_valence); });
+    const Way nearest =
+      find_way(receiver, 1, field, [&](int s) { return !lacks_quads(s, m_quads[s] - 1, least_valence); });
     const Way own = find_way(receiver, 1, field,
-                             [&](int s)
-                             {
+                             [&](int s) {
                                return m_problem->sectors.vertex[s] == m_problem->sectors.vertex[receiver] &&
                                       !lacks_quads(s, m_quads[s] - 1, 0);
                              });

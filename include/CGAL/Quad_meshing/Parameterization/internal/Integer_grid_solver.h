@@ -94,8 +94,7 @@ public:
       if(untangle_seamless(relaxed))
         return true;
     }
-    stiffen(folded_map, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations,
-            anisotropy);
+    stiffen(folded_map, std::vector<bool>(coordinates.number_of_variables(), false), stiffening_iterations, anisotropy);
     if(!m_progress.go_further())
       return false;
     untangle_seamless(folded_map);

@@ -36,38 +36,32 @@ class Quad_untangler : public Global_quad_smoother
 public:
   using Global_quad_smoother::Global_quad_smoother;
 
+  // Where the vertices are now is where `untangle()` can go back to.
+  void set_start()
+  {
+    m_start = m_mesh.points;
+    m_start_place = m_place;
+  }
+
   // Works on the quads whose Jacobian is not positive, or that are opposed to the surface, if they are not too many. No
-  // round leaves more of them.
+  // round leaves more of them. Where moving vertices does not help, the smoothing has pushed them into each other: a
+  // part of the mesh around goes back to the start, and the bad quads that this leaves are worked on again.
   void untangle()
   {
     std::vector<int> bad = folded_quads();
     if(bad.size() > most_bad_quads)
       return;
-    for(int round = 0; round < rounds && !bad.empty() && m_visitor.go_further(); ++round)
-    {
-      const std::vector<Point_3> points = m_mesh.points;
-      const std::vector<int> place = m_place;
-      update_scales();
-      for(int sweep = 0; sweep < sweeps; ++sweep)
-      {
-        bool any = false;
-        for(int v : vertices_around(bad, rings + round))
-          any = (m_visitor.go_further() && lift(v)) || any;
-        if(!any)
-          break;
-      }
-      const std::vector<int> left = folded_quads();
-      if(left.size() <= bad.size())
-      {
-        bad = left;
-        continue;
-      }
-      m_mesh.points = points;
-      m_place = place;
-      for(int f = 0; f < m_mesh.number_of_faces(); ++f)
-        update_face(f);
-      return;
-    }
+    bool is_useful = true;
+    for(int round = 0; is_useful && round < rounds && !bad.empty() && m_visitor.go_further(); ++round)
+      is_useful = change(bad, bad.size(), [&] { lift_around(bad, rings + round); });
+    if(m_start.size() == m_mesh.points.size())
+      for(int back = 1; back <= most_rings_back && !bad.empty() && m_visitor.go_further(); back *= 2)
+        change(bad, bad.size() - 1,
+               [&]
+               {
+                 go_back(vertices_around(bad, back));
+                 lift_around(folded_quads(), rings);
+               });
   }
 
   // A vertex that does not move, between two sides along curves of the reference, at which a quad cannot have a
@@ -92,6 +86,8 @@ private:
   static constexpr double aim = 0.3, least_positive = 1e-3;
   // Rounds, each with one more ring of quads around the bad ones, that begin with so many, and sweeps in each.
   static constexpr int rounds = 4, rings = 1, sweeps = 30;
+  // Rings that go back to the start; more are another mesh.
+  static constexpr int most_rings_back = 16;
   // Directions that are tried, and distances: from a part of the sides around the vertex down to a hundred thousandth
   // of them, as quads between two features may be as narrow.
   static constexpr int number_of_directions = 16, number_of_distances = 10;
@@ -100,6 +96,52 @@ private:
   static constexpr std::size_t most_bad_quads = 100;
   // Least gain of a move, and the sine of angles between curves that leave no room for a quad: of a tenth of a degree.
   static constexpr double least_gain_of_move = 1e-6, least_sine = 0.002;
+
+  std::vector<Point_3> m_start; // per vertex
+  std::vector<int> m_start_place;
+
+  // Makes a change if it leaves at most so many bad quads, which `bad` then holds; returns whether it does.
+  template <typename Change>
+  bool change(std::vector<int>& bad, std::size_t most, const Change& make)
+  {
+    const std::vector<Point_3> points = m_mesh.points;
+    const std::vector<int> place = m_place;
+    make();
+    const std::vector<int> left = folded_quads();
+    if(left.size() <= most)
+    {
+      bad = left;
+      return true;
+    }
+    m_mesh.points = points;
+    m_place = place;
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      update_face(f);
+    return false;
+  }
+
+  void lift_around(const std::vector<int>& bad, int number_of_rings)
+  {
+    update_scales();
+    const std::vector<int> vertices = vertices_around(bad, number_of_rings);
+    bool any = true;
+    for(int sweep = 0; any && sweep < sweeps; ++sweep)
+    {
+      any = false;
+      for(int v : vertices)
+        any = (m_visitor.go_further() && lift(v)) || any;
+    }
+  }
+
+  void go_back(const std::vector<int>& vertices)
+  {
+    for(int v : vertices)
+      if(m_start_place[v] != -1)
+      {
+        m_place[v] = m_start_place[v];
+        move(v, m_start[v]);
+      }
+  }
 
   bool is_on_curve(int h) const { return m_mesh.is_border(h) || m_mesh.is_feature[h]; }
 

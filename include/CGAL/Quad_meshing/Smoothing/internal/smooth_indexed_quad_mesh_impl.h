@@ -49,6 +49,7 @@ CGAL_QUAD_MESHING_INLINE Quad_mesh_smoothing_result smooth_indexed_quad_mesh(Ind
     Quad_untangler smoother(m, data.surface, data.features, data.borders, is_fixed_vertex, data.length,
                             data.directions.get(), watched);
     smoother.project();
+    smoother.set_start();
     std::vector<int> folded = smoother.folded_quads();
     result.folded_quads_before = folded.size();
     if(!folded.empty())
