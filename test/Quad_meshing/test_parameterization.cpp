@@ -355,6 +355,52 @@ void test_narrow_patches()
   assert(kept_edges(sheet, 0.3) == rows);
 }
 
+// Of the rims of a thin plate both are kept, however close: no chamfer turns by 180 degrees.
+void test_thin_plates()
+{
+  const double thickness = 0.01;
+  const test_meshes::Soup plate = test_meshes::mapped(
+    test_meshes::cube(8), [&](const Kernel::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), thickness * p.z()); });
+  for(double length : { 0.02, 0.1, 0.25 })
+    assert(kept_edges(plate, length) == 12 * 8);
+}
+
+// A ridge that is blunt along one short edge: its two parts are one crease unless the gap is longer than half a quad.
+void test_gaps_in_creases()
+{
+  const int n = 12, left = 6;
+  const double gap = 0.1, steep = 1, blunt = 0.25; // the slopes beside the ridge; 90 and 28 degrees between the sides
+  test_meshes::Soup roof;
+  for(int i = 0; i <= n; ++i)
+  {
+    const double x = i <= left ? i : i - 1 + gap;
+    for(double y : { -1., 0., 1. })
+      roof.points.emplace_back(x, y, -steep * std::abs(y));
+  }
+  // vertices near the short edge, between the left and the right part
+  const double side = 0.01, middle = left + gap / 2;
+  for(double y : { -side, side })
+    roof.points.emplace_back(middle, y, -blunt * side);
+  const std::size_t added = 3 * (n + 1);
+  for(int i = 0; i < n; ++i)
+    for(int k : { 0, 1 })
+    {
+      const std::size_t a = 3 * i + k, b = 3 * (i + 1) + k;
+      if(i != left)
+      {
+        roof.add_quad(a, b, b + 1, a + 1);
+        continue;
+      }
+      const std::size_t c = added + k; // the ring around a new vertex
+      for(const auto& e :
+          { std::make_pair(a, b), std::make_pair(b, b + 1), std::make_pair(b + 1, a + 1), std::make_pair(a + 1, a) })
+        roof.triangles.push_back({ { e.first, e.second, c } });
+    }
+  for(double length : { 0.5, 1.5 })
+    assert(kept_edges(roof, length) == static_cast<std::size_t>(n));
+  assert(kept_edges(roof, 0.15) == static_cast<std::size_t>(n - 1));
+}
+
 // Where sharp edges meet again before a quad is through, they are no lines for quads to follow.
 void test_networks_of_short_chains()
 {
@@ -1038,6 +1084,8 @@ int main(int argc, char** argv)
                      { "creases_to_and_fro", test_creases_to_and_fro },
                      { "small_rims", test_small_rims },
                      { "open_creases", test_open_creases },
+                     { "thin_plates", test_thin_plates },
+                     { "gaps_in_creases", test_gaps_in_creases },
                      { "narrow_patches", test_narrow_patches },
                      { "networks_of_short_chains", test_networks_of_short_chains },
                      { "maps", test_maps },

@@ -11,6 +11,8 @@
 
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +25,8 @@ namespace Quad_meshing {
 namespace internal {
 
 // The regions that sharp edges divide a surface into, of which those are joined to a neighbor that are too narrow for
-// quads: slivers along a crease, fillets and chamfers of a few percent of a quad.
+// quads: slivers along a crease, fillets and chamfers of a few percent of a quad. The wall of a thin part between two
+// sides that face away from each other is none of these: both its edges stay.
 class Patch_merging
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
@@ -58,8 +61,10 @@ private:
   struct Contact
   {
     double length = 0, bend = 0; // bend: times length, from 0 to 2
+    double angle = 0;            // between the normals, times length, positive at convex edges
 
     double mean_bend() const { return length > 0 ? bend / length : 0; }
+    double mean_angle() const { return length > 0 ? angle / length : 0; }
   };
 
   Vector_3 area_vector(int f) const { return cross_product(m_mesh.vector(3 * f), m_mesh.vector(3 * f + 1)) / 2; }
@@ -110,11 +115,12 @@ private:
           m_patches[side].perimeter += l;
       if(q == -1)
         continue;
-      const double b = bend(h / 3, o / 3);
+      const double b = bend(h / 3, o / 3), a = convex_angle(h);
       for(const auto& sides : { std::make_pair(p, q), std::make_pair(q, p) })
       {
         contacts[sides.first][sides.second].length += l;
         contacts[sides.first][sides.second].bend += l * b;
+        contacts[sides.first][sides.second].angle += l * a;
       }
     }
     std::vector<std::pair<double, int>> narrow;
@@ -134,7 +140,7 @@ private:
         std::min_element(contacts[p].begin(), contacts[p].end(),
                          [](const auto& a, const auto& b) { return a.second.mean_bend() < b.second.mean_bend(); })
           ->first;
-      if(partner[q] != -1)
+      if(partner[q] != -1 || is_thin_wall(contacts[p], q))
         continue;
       partner[p] = q;
       partner[q] = p;
@@ -149,6 +155,27 @@ private:
           m_is_sharp[e] = false;
       }
     return joined;
+  }
+
+  // Whether a patch with these contacts stands between q and another one along it that faces away from q.
+  static bool is_thin_wall(const std::map<int, Contact>& contacts, int q)
+  {
+    const double least_turn = 0.75 * CGAL_PI; // halfway between a chamfer of a right angle and a thin plate
+    const double least_relative_length = 0.5; // of the other contact
+    const Contact& to_q = contacts.at(q);
+    for(const auto& c : contacts)
+      if(c.first != q && c.second.length > least_relative_length * to_q.length &&
+         std::abs(c.second.mean_angle() + to_q.mean_angle()) > least_turn)
+        return true;
+    return false;
+  }
+
+  // The angle between the normals at the edge of h, positive where it is convex.
+  double convex_angle(int h) const
+  {
+    const Vector_3 a = area_vector(h / 3), b = area_vector(m_mesh.opposite[h] / 3), n = cross_product(a, b);
+    const double angle = std::atan2(std::sqrt(n.squared_length()), a * b);
+    return n * m_mesh.vector(h) < 0 ? -angle : angle;
   }
 
   // One minus the cosine of the angle between the normals; one if a face has none.

@@ -126,14 +126,6 @@ private:
     return static_cast<int>(m_reduced.integers.size()) <= m_options.maximum_dense_integers;
   }
 
-  // Whether dense matrices over the integers take little memory, or not much more than the matrix that there is: sparse
-  // updates have no sense on one that is dense.
-  bool has_small_complement() const
-  {
-    const double m = static_cast<double>(m_reduced.integers.size());
-    return has_few_integers() || m * m <= 2 * m_solution.matrix_entries;
-  }
-
   // Whether naive rounding, which gives the same result as dense updates, is expected to take less time than these.
   bool is_naive_cheaper() const
   {
@@ -142,7 +134,8 @@ private:
     const double dense_speed = 3., sparse_speed = 1.;
     const double columns_at_once = 64.; // of `Three_level_solver::fix_exactly()`, half of them on average
     const double m = static_cast<double>(m_reduced.integers.size()), n = m_reduced.size();
-    if(m <= few_integers || !has_few_integers()) // many: the matrix is dense
+    const bool is_dense = 2. * m_solution.matrix_entries >= n * n; // sparse code has nothing to gain
+    if(m <= few_integers || is_dense)
       return false;
     Sparse_cholesky<double> symbolic = m_linear_solver.make_another();
     symbolic.analyze(m_reduced.A);
@@ -158,12 +151,12 @@ private:
 
   void run_greedy()
   {
-    if(has_small_complement() && is_naive_cheaper())
+    if(has_few_integers() && is_naive_cheaper())
     {
       m_ran = naive_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_limits);
       return;
     }
-    if(!has_small_complement())
+    if(!has_few_integers())
     {
       m_ran = sparse_greedy_rounding(m_linear_solver, m_reduced, m_z, m_solution, m_options, m_limits);
       return;

@@ -136,8 +136,14 @@ public:
     for(std::size_t i = 0; i < m_reduction.integers().size(); ++i)
       number[m_reduction.integers()[i]] = static_cast<int>(i);
     Step_visitor visitor(m_progress);
+    // The energy over the integers is a dense matrix, however many there are.
+    const int few_for_a_lattice = 1000;
+    const int most_dense_integers = method == Rounding_method::LATTICE ? few_for_a_lattice : m_reduction.size();
     Eigen::VectorXd z =
-      solve_mixed_integer(m_reduction.problem(), parameters::rounding_method(method).visitor(std::ref(visitor))).x;
+      solve_mixed_integer(
+        m_reduction.problem(),
+        parameters::rounding_method(method).maximum_dense_integers(most_dense_integers).visitor(std::ref(visitor)))
+        .x;
     if(m_progress.is_stopped())
       return;
 
@@ -273,8 +279,8 @@ public:
 
 private:
   const Vertex_sectors m_sectors;
-  const std::vector<bool>& m_is_aligned;
-  const std::vector<double>& m_sizing;
+  const std::vector<bool> m_is_aligned;
+  const std::vector<double> m_sizing;
   std::vector<double> m_reach; // per sector: of the cone profile, in target edge lengths
   Map_optimization m_optimization;
   Stage_progress& m_progress;
