@@ -319,7 +319,7 @@ struct Greedy_rounding
 
 inline void add_greedy_rounding(po::options_description& options)
 {
-  options.add_options()("rounding-tolerance", po::value<double>()->default_value(3e-4),
+  options.add_options()("rounding-tolerance", po::value<double>()->default_value(3e-4, "3e-4"),
                         "accuracy of the levels of greedy rounding, in units of the variables")(
     "gauss-seidel", po::value<long long>()->default_value(20000), "local steps per greedy rounding, 0 for none")(
     "conjugate-gradient", po::value<long long>()->default_value(10),

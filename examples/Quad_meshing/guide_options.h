@@ -57,7 +57,7 @@ inline void add(po::options_description& options)
     "the "
     "vertex property edge_length")("min-edge-length", po::value<double>(), "smallest length of edges")(
     "max-edge-length", po::value<double>(), "largest length of edges")(
-    "gradation", po::value<double>()->default_value(0.3), "largest slope of the length along the surface")(
+    "gradation", po::value<double>()->default_value(0.3, "0.3"), "largest slope of the length along the surface")(
     "features", po::value<std::string>(),
     "edges of IN that become chains of quad edges, instead of detected ones: pairs of vertex numbers, pairs of points, "
     "or an OBJ file with lines")(

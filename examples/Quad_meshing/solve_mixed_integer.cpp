@@ -211,14 +211,15 @@ int solve(int argc, char* argv[])
                                                                        "lower bounds, a number or -inf per variable")(
     "upper", po::value<Text>(), "upper bounds, a number or inf per variable")(
     "method", po::value<Text>()->default_value("greedy"), method_list.c_str())(
-    "time-limit", po::value<double>()->default_value(1e9), "seconds after which the best solution so far is taken")(
-    "node-limit", po::value<double>()->default_value(1e8), "nodes or subproblems that the search may visit")(
-    "constraint-tolerance", po::value<double>()->default_value(1e-6),
+    "time-limit", po::value<double>()->default_value(1e9, "1e9"),
+    "seconds after which the best solution so far is taken")(
+    "node-limit", po::value<double>()->default_value(1e8, "1e8"), "nodes or subproblems that the search may visit")(
+    "constraint-tolerance", po::value<double>()->default_value(1e-6, "1e-6"),
     "what counts as zero when constraints depend on each other")(
     "dense-integers", po::value<long long>()->default_value(1000),
     "up to so many integers greedy rounding works with a dense complement")(
     "bound-rounds", po::value<long long>()->default_value(0), "rounds that raise the lower bound of lattice rounding")(
-    "gap", po::value<double>()->default_value(1e-9), "relative gap at which branch-and-bound may stop")(
+    "gap", po::value<double>()->default_value(1e-9, "1e-9"), "relative gap at which branch-and-bound may stop")(
     "selection", po::value<Text>()->default_value("best-bound"), "best-bound, depth-first or best-estimate")(
     "branching", po::value<Text>()->default_value("pseudo-costs"),
     "minimum-infeasibility, maximum-infeasibility, pseudo-costs, maximum-then-minimum-infeasibility, "

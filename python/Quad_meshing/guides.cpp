@@ -26,78 +26,80 @@ int whole_number(double x, const std::string& name)
   return static_cast<int>(x);
 }
 
+// Appends a guide for each row of an array, with the name of the row, that `fill(guide, row)` completes; nothing for
+// None.
+template <typename Guide, typename Fill>
+void append_rows(const std::optional<Doubles>& array, const std::string& name, py::ssize_t columns, const Fill& fill,
+                 std::vector<Guide>& guides)
+{
+  if(!array)
+    return;
+  check_shape(*array, name, columns);
+  for(py::ssize_t i = 0; i < array->shape(0); ++i)
+  {
+    Guide g;
+    g.name = name + "[" + std::to_string(i) + "]";
+    fill(g, array->data(i, 0));
+    guides.push_back(g);
+  }
+}
+
 } // namespace
 
 std::vector<QM::Index_guide> index_guides_of(const std::optional<Doubles>& indices, const std::optional<Doubles>& sums)
 {
   std::vector<QM::Index_guide> guides;
-  if(indices)
-  {
-    if(indices->ndim() != 2 || (indices->shape(1) != 4 && indices->shape(1) != 5))
-      throw std::invalid_argument("indices must have the shape (n, 4) or (n, 5)");
-    const auto a = indices->unchecked<2>();
-    for(py::ssize_t i = 0; i < a.shape(0); ++i)
+  const bool has_radius = indices && indices->ndim() == 2 && indices->shape(1) == 5;
+  if(indices && !has_radius && (indices->ndim() != 2 || indices->shape(1) != 4))
+    throw std::invalid_argument("indices must have the shape (n, 4) or (n, 5)");
+  append_rows(
+    indices, "indices", has_radius ? 5 : 4,
+    [&](QM::Index_guide& g, const double* row)
     {
-      QM::Index_guide g;
-      g.name = "indices[" + std::to_string(i) + "]";
-      g.point = Point_3(a(i, 0), a(i, 1), a(i, 2));
-      g.index = whole_number(a(i, 3), g.name + ": the index");
-      g.radius = a.shape(1) == 5 ? a(i, 4) : 0;
-      guides.push_back(g);
-    }
-  }
-  if(sums)
-  {
-    check_shape(*sums, "index_sums", 5);
-    const auto a = sums->unchecked<2>();
-    for(py::ssize_t i = 0; i < a.shape(0); ++i)
+      g.point = Point_3(row[0], row[1], row[2]);
+      g.index = whole_number(row[3], g.name + ": the index");
+      g.radius = has_radius ? row[4] : 0;
+    },
+    guides);
+  append_rows(
+    sums, "index_sums", 5,
+    [](QM::Index_guide& g, const double* row)
     {
-      QM::Index_guide g;
-      g.name = "index_sums[" + std::to_string(i) + "]";
-      g.point = Point_3(a(i, 0), a(i, 1), a(i, 2));
-      g.radius = a(i, 3);
-      g.index = whole_number(a(i, 4), g.name + ": the sum");
+      g.point = Point_3(row[0], row[1], row[2]);
+      g.radius = row[3];
+      g.index = whole_number(row[4], g.name + ": the sum");
       g.is_sum = true;
-      guides.push_back(g);
-    }
-  }
+    },
+    guides);
   return guides;
 }
 
 std::vector<QM::Guide_connection> connections_of(const std::optional<Doubles>& connections)
 {
   std::vector<QM::Guide_connection> result;
-  if(!connections)
-    return result;
-  check_shape(*connections, "connections", 6);
-  const auto a = connections->unchecked<2>();
-  for(py::ssize_t i = 0; i < a.shape(0); ++i)
-  {
-    QM::Guide_connection c;
-    c.name = "connections[" + std::to_string(i) + "]";
-    c.from = Point_3(a(i, 0), a(i, 1), a(i, 2));
-    c.to = Point_3(a(i, 3), a(i, 4), a(i, 5));
-    result.push_back(c);
-  }
+  append_rows(
+    connections, "connections", 6,
+    [](QM::Guide_connection& c, const double* row)
+    {
+      c.from = Point_3(row[0], row[1], row[2]);
+      c.to = Point_3(row[3], row[4], row[5]);
+    },
+    result);
   return result;
 }
 
 std::vector<QM::Size_disc> size_discs_of(const std::optional<Doubles>& discs)
 {
   std::vector<QM::Size_disc> result;
-  if(!discs)
-    return result;
-  check_shape(*discs, "size_discs", 5);
-  const auto a = discs->unchecked<2>();
-  for(py::ssize_t i = 0; i < a.shape(0); ++i)
-  {
-    QM::Size_disc d;
-    d.name = "size_discs[" + std::to_string(i) + "]";
-    d.center = Point_3(a(i, 0), a(i, 1), a(i, 2));
-    d.radius = a(i, 3);
-    d.length = a(i, 4);
-    result.push_back(d);
-  }
+  append_rows(
+    discs, "size_discs", 5,
+    [](QM::Size_disc& d, const double* row)
+    {
+      d.center = Point_3(row[0], row[1], row[2]);
+      d.radius = row[3];
+      d.length = row[4];
+    },
+    result);
   return result;
 }
 

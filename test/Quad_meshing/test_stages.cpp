@@ -19,6 +19,7 @@
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/curvature_directions.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Guides/Guide_curve.h>
 #include <CGAL/Quad_meshing/Layout/quads_of_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quantize_t_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
@@ -224,6 +225,7 @@ struct Request
   double number_of_quads = 0, edge_length = 0;
   unsigned int seed = 0;
   bool align_boundary = true;
+  std::vector<QM::Guide_curve> curves = {};
 };
 
 Result run(const Mesh& tm, const Request& request, const std::string& without, Mesh& quads)
@@ -234,6 +236,7 @@ Result run(const Mesh& tm, const Request& request, const std::string& without, M
   o.target_edge_length = request.edge_length;
   o.random_seed = request.seed;
   o.align_boundary = request.align_boundary;
+  o.feature_curves = request.curves;
   o.work_on_input = true;
   o.plans.erase(std::remove_if(o.plans.begin(), o.plans.end(),
                                [&](const QM::Grid_map_plan_rule& rule) { return rule.name == without; }),
@@ -276,6 +279,74 @@ void test_plans_for_coarse_grids()
   const Mesh tube = mesh_of(test_meshes::cylinder(40, 40, false, 1, 10));
   check_plan("finer", tube, { 0, 2 * CGAL_PI / 2.4, 0, false });
   check_plan("still finer", tube, { 0, 2 * CGAL_PI / 2.3, 0, false });
+}
+
+// A tube with room for two quads around gets three, as two would not be a mesh.
+void test_narrow_tube()
+{
+  const Mesh tube = mesh_of(test_meshes::cylinder(40, 40, false, 1, 10));
+  for(double around : { 2.4, 2., 1. })
+  {
+    QM::Quadrangulation q(tube, tube.points());
+    q.options.target_edge_length = 2 * CGAL_PI / around;
+    const QM::Quadrangulation_result r = q.run();
+    std::cout << around << " around: " << r.message << " " << r.quads << " quads" << std::endl;
+    assert(r.is_valid());
+  }
+}
+
+// A cone on a star with n long and n short rays, without its bottom. Creases meet at the tip in narrow angles.
+test_meshes::Soup star_cone(std::size_t n, double height)
+{
+  const double radius = 0.5, short_radius = 0.2;
+  test_meshes::Soup soup;
+  soup.points = { Kernel::Point_3(0, 0, height) };
+  for(std::size_t i = 0; i < 2 * n; ++i)
+  {
+    const double angle = CGAL_PI * static_cast<double>(i) / static_cast<double>(n);
+    const double r = i % 2 == 0 ? radius : short_radius;
+    soup.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+  }
+  for(std::size_t i = 0; i < 2 * n; ++i)
+    soup.triangles.push_back({ { 0, 1 + i, 1 + (i + 1) % (2 * n) } });
+  return soup;
+}
+
+// The same with its mirror image below.
+test_meshes::Soup star_bicone(std::size_t n, double height)
+{
+  test_meshes::Soup soup = star_cone(n, height);
+  const std::size_t bottom = soup.points.size(), sides = soup.triangles.size();
+  soup.points.emplace_back(0, 0, -height);
+  for(std::size_t i = 0; i < sides; ++i)
+    soup.triangles.push_back({ { bottom, soup.triangles[i][2], soup.triangles[i][1] } });
+  return soup;
+}
+
+// At 300 quads the map of the field that is asked for is folded once its integers are chosen; shorter edges unfold it
+// with 410 quads, the other field with 349.
+void test_plan_of_another_field() { check_plan("other field", mesh_of(star_bicone(5, 0.5)), { 300 }); }
+
+// Where the border need not be aligned, the creases of a coarse star are folded with shorter edges, too; around the
+// folds 72 percent of their length are released, all of it without this plan.
+void test_plans_of_release() { check_plan("release within 2", mesh_of(star_cone(6, 0.6)), { 40, 0, 0, false }); }
+
+// Eight curves that miss one point of a square by some 1e-5: they cut slivers there that no quads fit into.
+void test_plan_of_released_curves()
+{
+  const int size = 20, lines = 8;
+  const double middle = size / 2., reach = 8, turn = 0.1; // no line runs along the square
+  Request request{ 300 };
+  for(int i = 0; i < lines; ++i)
+  {
+    const double angle = CGAL_PI * i / lines + turn, c = std::cos(angle), s = std::sin(angle), miss = 1e-5 * (i - 3.5);
+    const double x = middle - miss * s, y = middle + miss * c;
+    QM::Guide_curve curve;
+    curve.points = { Kernel::Point_3(x - reach * c, y - reach * s, 0),
+                     Kernel::Point_3(x + reach * c, y + reach * s, 0) };
+    request.curves.push_back(curve);
+  }
+  check_plan("release curves within 8", mesh_of(test_meshes::grid(size, size, size, size)), request);
 }
 
 void test_plans_for_the_number()
@@ -346,6 +417,10 @@ int main(int argc, char** argv)
                      { "components", test_components },
                      { "data", test_data },
                      { "plans_for_coarse_grids", test_plans_for_coarse_grids },
+                     { "narrow_tube", test_narrow_tube },
+                     { "plan_of_another_field", test_plan_of_another_field },
+                     { "plans_of_release", test_plans_of_release },
+                     { "plan_of_released_curves", test_plan_of_released_curves },
                      { "plans_for_the_number", test_plans_for_the_number },
                      { "random_seed", test_random_seed },
                      { "stiffening_iterations", test_stiffening_iterations } });

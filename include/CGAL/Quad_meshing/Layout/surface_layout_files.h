@@ -64,6 +64,25 @@ struct Layout_reading_result
   bool is_valid() const { return status == Layout_reading_status::READ; }
 };
 
+namespace internal {
+
+// What one of the readers of a text makes of it.
+inline Layout_reading_result read_layout_text(std::istream& in, bool (Layout_text::*read)(), Surface_layout& layout)
+{
+  Layout_reading_result result;
+  Layout_text text(in);
+  if((text.*read)())
+    layout = text.layout;
+  else
+  {
+    result.status = Layout_reading_status::MALFORMED;
+    result.message = text.error;
+  }
+  return result;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgQuadMeshingLayoutRef
  *
@@ -74,16 +93,7 @@ struct Layout_reading_result
  */
 inline Layout_reading_result read_surface_layout(std::istream& in, Surface_layout& layout)
 {
-  Layout_reading_result result;
-  internal::Layout_text text(in);
-  if(text.read_layout())
-    layout = text.layout;
-  else
-  {
-    result.status = Layout_reading_status::MALFORMED;
-    result.message = text.error;
-  }
-  return result;
+  return internal::read_layout_text(in, &internal::Layout_text::read_layout, layout);
 }
 
 /*!
@@ -99,16 +109,7 @@ inline Layout_reading_result read_surface_layout(std::istream& in, Surface_layou
  */
 inline Layout_reading_result read_layout_curves(std::istream& in, Surface_layout& layout)
 {
-  Layout_reading_result result;
-  internal::Layout_text text(in);
-  if(text.read_curves())
-    layout = text.layout;
-  else
-  {
-    result.status = Layout_reading_status::MALFORMED;
-    result.message = text.error;
-  }
-  return result;
+  return internal::read_layout_text(in, &internal::Layout_text::read_curves, layout);
 }
 
 /*!

@@ -100,18 +100,21 @@ private:
     return r == start ? d : 0;
   }
 
+  void add_length(int r, int more) { m_graph.length[r] = static_cast<signed char>(m_graph.length[r] + more); }
+
   // Joins the edges of a and b, two rays of one node, to one edge that passes by the node.
   void join_over(int a, int b)
   {
     const int x = m_graph.opposite[a], y = m_graph.opposite[b];
     if(x != b)
     {
-      // The line runs on in the same direction of the chart if it comes from where the orientation is the same.
+      // A length counts in the direction of its ray. The line runs on in that direction if it comes from where the
+      // orientation is the same, else against it.
       const int over_a = m_graph.length[a], over_b = m_graph.length[b];
       if(x >= 0)
-        m_graph.length[x] = static_cast<signed char>(over_a + m_graph.sign[x] * m_graph.sign[a] * over_b);
+        add_length(x, m_graph.sign[x] * m_graph.sign[a] * over_b);
       if(y >= 0)
-        m_graph.length[y] = static_cast<signed char>(over_b + m_graph.sign[y] * m_graph.sign[b] * over_a);
+        add_length(y, m_graph.sign[y] * m_graph.sign[b] * over_a);
       if(x >= 0)
         m_graph.opposite[x] = y;
       if(y >= 0)
