@@ -58,7 +58,7 @@ def main():
 
     pictures = {os.path.basename(path): os.path.getsize(path) for path in glob.glob(os.path.join(doc, "fig", "*.png"))}
     text = "".join(pages.values())
-    shown = set(re.findall(r"[\w-]+\.png", "".join(re.findall(r"\\image.*|\\cgalFigureBegin.*|!\[.*|fig/\S*", text))))
+    shown = set(re.findall(r"[\w-]+\.png", "".join(re.findall(r"\\image.*|\\cgalFigureBegin.*|\\cgalPkgPicture.*|!\[.*|fig/\S*", text))))
     for name in sorted(shown - set(pictures)):
         check(False, "the picture %s is missing" % name)
     for name, size in sorted(pictures.items()):
