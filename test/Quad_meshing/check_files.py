@@ -93,7 +93,7 @@ def main():
 
     # --show: pictures of what led to the quads differ from that of the quads, and from each other.
     pictures = {}
-    for shown in (None, "triangles", "cross field,singularities", "Quads/quads"):
+    for shown in (None, "triangles", "cross field,singularities", "Quads/quads", "quads,feature"):
         options = [] if shown is None else ["--show", shown]
         done = run("cube.off", "quads.obj", "--target-quads", "150", "--picture", "picture.png", *options)
         check("--show" not in done.stderr, "--show %s: %s" % (shown, done.stderr))
