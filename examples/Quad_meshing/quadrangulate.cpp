@@ -196,6 +196,7 @@ int main(int argc, char* argv[])
       }
       q.options.face_name = command_line::names_in_file("face", reading.faces);
       q.options.vertex_name = command_line::names_in_file("vertex", reading.vertices);
+      q.options.meet_at_junctions = reading.counts.separated_edges > 0;
       q.options.target_edge_length = edge_length;
       q.options.target_number_of_quads = number_of_quads;
       q.options.sharpness_angle = sharp_angle;

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
+#include <sstream>
 #include <string>
 
 namespace command_line {
@@ -32,7 +34,10 @@ inline void add_scene_options(po::options_description& options)
     "picture", po::value<std::string>(), "PNG file with a picture of the result, 640 x 480")(
     "vtk", po::value<std::string>(), "VTK file with the faces of the result and their measures as data of the cells")(
     "color-by", po::value<std::string>(),
-    "what colors the faces of page and picture: a name in the page, or its beginning, as patch or scaled");
+    "what colors the faces of page and picture: a name in the page, or its beginning, as patch or scaled")(
+    "show", po::value<std::string>(),
+    "the layers that page and picture show at first, separated by commas: names in the page, or their beginnings, as "
+    "triangles,cross");
 }
 
 inline bool shows_scene(const Arguments& args) { return args.has("html") || args.has("picture") || args.has("vtk"); }
@@ -51,14 +56,42 @@ inline void check_scene_files(const Arguments& args)
   check_output(args.value<std::string>("html"), { "html", "htm" });
 }
 
-// Writes a picture of the result, or of all there is where there is no result.
-inline CGAL::Quad_meshing::Scene_writing_result write_picture(std::ostream& os, const CGAL::Quad_meshing::Scene& scene)
+// Writes a picture of the result, or of all that is visible if there is no result or layers were chosen.
+inline CGAL::Quad_meshing::Scene_writing_result write_picture(std::ostream& os, const CGAL::Quad_meshing::Scene& scene,
+                                                              bool is_chosen)
 {
   CGAL::Quad_meshing::Png_picture_options options;
-  if(std::none_of(scene.layers.begin(), scene.layers.end(),
-                  [&](const CGAL::Quad_meshing::Scene_layer& l) { return l.side == options.side; }))
+  if(is_chosen || std::none_of(scene.layers.begin(), scene.layers.end(),
+                               [&](const CGAL::Quad_meshing::Scene_layer& l) { return l.side == options.side; }))
     options.side = CGAL::Quad_meshing::Scene_side::BOTH;
   return CGAL::Quad_meshing::write_png_picture(os, scene, options);
+}
+
+// Shows the layers whose names begin with one of those in a list separated by commas, and no others. Layers of
+// different groups may have one name: GROUP/NAME is one of them. A run that failed may lack some, which is said.
+inline void show_layers(const std::string& list, CGAL::Quad_meshing::Scene& scene)
+{
+  for(CGAL::Quad_meshing::Scene_layer& layer : scene.layers)
+    layer.is_visible = false;
+  std::istringstream names(list);
+  for(std::string name; std::getline(names, name, ',');)
+  {
+    const auto is_meant = [&](const CGAL::Quad_meshing::Scene_layer& layer)
+    {
+      return layer.name.compare(0, name.size(), name) == 0 ||
+             (layer.group + "/" + layer.name).compare(0, name.size(), name) == 0;
+    };
+    bool is_found = false;
+    for(CGAL::Quad_meshing::Scene_layer& layer : scene.layers)
+      if(is_meant(layer))
+        is_found = layer.is_visible = true;
+    if(is_found)
+      continue;
+    std::cerr << "--show: no layer is called '" << name << "'; there are";
+    for(const CGAL::Quad_meshing::Scene_layer& layer : scene.layers)
+      std::cerr << (&layer == &scene.layers.front() ? " '" : ", '") << layer.group << "/" << layer.name << "'";
+    std::cerr << "\n";
+  }
 }
 
 // Writes the last faces of a scene, which are those of the result.
@@ -104,15 +137,17 @@ inline void write_scene_files(const Arguments& args, const CGAL::Quad_meshing::F
   scene.options = args.values();
   if(args.has("color-by"))
     color_faces(args.value<std::string>("color-by"), scene);
+  if(args.has("show"))
+    show_layers(args.value<std::string>("show"), scene);
   for(const std::string option : { "html", "picture", "vtk" })
     if(args.has(option))
     {
       const std::string filename = args.value<std::string>(option);
       std::ofstream out = open_output(filename);
-      const CGAL::Quad_meshing::Scene_writing_result result = option == "html"
-                                                                ? CGAL::Quad_meshing::write_html_page(out, scene)
-                                                              : option == "picture" ? write_picture(out, scene)
-                                                                                    : write_faces(out, scene);
+      const CGAL::Quad_meshing::Scene_writing_result result =
+        option == "html"      ? CGAL::Quad_meshing::write_html_page(out, scene)
+        : option == "picture" ? write_picture(out, scene, args.has("show"))
+                              : write_faces(out, scene);
       if(!result.is_valid())
         throw Unusable_input(filename + ": " + result.message);
     }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Runs `quadrangulate` with the options for files of other programs, and reads the files back with meshio where it is
-installed: patches, VTK, fields, the largest component, digits, polygons as input.
+installed: patches, pictures of layers, VTK, fields, the largest component, digits, polygons as input.
 
 usage: check_files.py PROGRAM
 """
@@ -90,6 +90,18 @@ def main():
     check(all(len(re.sub(r"[-.]|e.*", "", x)) <= 7 for p in quads["v"] for x in p), "there are more than six digits")
     run("cube.off", "quads.obj", "--target-quads", "150")
     check(any(len(x) > 12 for p in obj_lines("quads.obj")["v"] for x in p), "there are no long numbers")
+
+    # --show: pictures of what led to the quads differ from that of the quads, and from each other.
+    pictures = {}
+    for shown in (None, "triangles", "cross field,singularities", "Quads/quads", "quads,feature"):
+        options = [] if shown is None else ["--show", shown]
+        done = run("cube.off", "quads.obj", "--target-quads", "150", "--picture", "picture.png", *options)
+        check("--show" not in done.stderr, "--show %s: %s" % (shown, done.stderr))
+        with open("picture.png", "rb") as file:
+            pictures[shown] = file.read()
+    check(len(set(pictures.values())) == len(pictures), "pictures of different layers are equal")
+    done = run("cube.off", "quads.obj", "--target-quads", "150", "--picture", "picture.png", "--show", "nonsense,quads")
+    check("--show: no layer is called 'nonsense'" in done.stderr and "'Quads/base complex'" in done.stderr, "an unknown layer is not named")
 
     # Materials, texture coordinates and colors reach the quads; the border of the materials is a chain of quad edges.
     points, faces = box(8)

@@ -62,14 +62,14 @@ struct Quad_extraction_result
 {
   /// \name Outcome
   /// @{
-  Quad_extraction_status status = Quad_extraction_status::FAILED;
-  std::string message; ///< one sentence for the user
+  Quad_extraction_status status = Quad_extraction_status::FAILED; ///< how it ended
+  std::string message;                                            ///< one sentence for the user
   /// @}
 
   /// \name The Mesh
   /// @{
-  std::size_t vertices = 0;
-  std::size_t quads = 0;
+  std::size_t vertices = 0;                  ///< of the mesh
+  std::size_t quads = 0;                     ///< faces with four corners
   std::size_t other_faces = 0;               ///< faces that are no quads
   std::size_t irregular_vertices = 0;        ///< inner vertices of a valence other than 4
   std::size_t irregular_border_vertices = 0; ///< border vertices of a valence other than 3

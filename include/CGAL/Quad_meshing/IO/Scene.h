@@ -60,8 +60,8 @@ struct Scene_numbers
   /// \name Ends of a Sequence of Colors
   /// Not a number: that of the values.
   /// @{
-  double low = std::numeric_limits<double>::quiet_NaN();
-  double high = std::numeric_limits<double>::quiet_NaN();
+  double low = std::numeric_limits<double>::quiet_NaN();  ///< where the colors begin
+  double high = std::numeric_limits<double>::quiet_NaN(); ///< where they end
   /// @}
 };
 

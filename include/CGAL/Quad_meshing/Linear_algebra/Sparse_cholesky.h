@@ -114,6 +114,7 @@ public:
     // A matrix without entries is singular, and its arrays may not exist.
     m_is_analyzed = m_size == 0 || (A.entries() > 0 && m_implementation->analyze(A));
   }
+  /// the same for a sparse matrix of Eigen, or what has its interface.
   template <typename EigenSparseMatrix>
   void analyze(const EigenSparseMatrix& A)
   {
@@ -134,6 +135,7 @@ public:
     m_is_ok = m_is_analyzed && (m_size == 0 || m_implementation->factorize(A));
     return m_is_ok;
   }
+  /// the same for a sparse matrix of Eigen, or what has its interface.
   template <typename EigenSparseMatrix>
   bool factorize(const EigenSparseMatrix& A)
   {
@@ -148,6 +150,7 @@ public:
     analyze(A);
     return factorize(A);
   }
+  /// the same for a sparse matrix of Eigen, or what has its interface.
   template <typename EigenSparseMatrix>
   bool compute(const EigenSparseMatrix& A)
   {
@@ -160,6 +163,7 @@ public:
   /// this chooses one of them.
   /// \return `is_ok()`
   CGAL_QUAD_MESHING_INLINE bool compute_semidefinite(const View& A);
+  /// the same for a sparse matrix of Eigen, or what has its interface.
   template <typename EigenSparseMatrix>
   bool compute_semidefinite(const EigenSparseMatrix& A)
   {
@@ -216,6 +220,7 @@ public:
       for(std::size_t i = 0; i < size; ++i)
         result[i] = Number(0);
   }
+  /// the same for matrices of Eigen.
   template <typename EigenSparseMatrix, typename EigenDenseMatrix>
   void product_with_inverse(const EigenSparseMatrix& B, EigenDenseMatrix& result) const
   {

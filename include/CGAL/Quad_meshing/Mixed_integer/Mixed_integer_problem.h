@@ -98,7 +98,9 @@ public:
     m_upper[i] = upper;
   }
 
+  /// returns the number of variables, real and integer.
   int number_of_variables() const { return static_cast<int>(m_is_integer.size()); }
+  /// returns the number of integer variables.
   int number_of_integers() const
   {
     int count = 0;
@@ -106,8 +108,11 @@ public:
       count += (c != 0);
     return count;
   }
+  /// returns whether variable `i` is an integer.
   bool is_integer(int i) const { return m_is_integer[i] != 0; }
+  /// returns the lower bound of variable `i`, minus infinity if it has none.
   double lower_bound(int i) const { return m_lower[i]; }
+  /// returns the upper bound of variable `i`, infinity if it has none.
   double upper_bound(int i) const { return m_upper[i]; }
 
   /// @}
@@ -251,8 +256,11 @@ public:
   /// removes the convex constraints.
   void clear_convex_constraints() { m_convex.clear(); }
 
+  /// returns the convex constraints, in the order in which they were added.
   const std::vector<Convex_constraint>& convex_constraints() const { return m_convex; }
+  /// returns the constraints `form = rhs`, in the order in which they were added.
   const std::vector<Linear_constraint>& equality_constraints() const { return m_equalities; }
+  /// returns the constraints `form <= rhs`, in the order in which they were added.
   const std::vector<Linear_constraint>& inequality_constraints() const { return m_inequalities; }
 
   /// tells whether there is an inequality constraint, a convex constraint or a bound.

@@ -42,7 +42,7 @@ struct Quadrangulation_options
   /// are places without a given length, their lengths are scaled until the number of quads is right; else those that
   /// are given are.
   /// @{
-  Sizing_method sizing_method = Sizing_method::CONSTANT;
+  Sizing_method sizing_method = Sizing_method::CONSTANT; ///< where no length is given
   /// The distance allowed between quads and the surface with `Sizing_method::CURVATURE`, in the unit of the points; it
   /// takes precedence over the number of quads. 0: it is chosen for the number of quads.
   double sizing_tolerance = 0;
@@ -64,6 +64,12 @@ struct Quadrangulation_options
   /// bounding box: surfaces that differ more from their mirror images are refused.
   double symmetry_tolerance = 0.01;
   /// @}
+
+  /// Whether the quads of sheets meet vertex to vertex where the sheets touch: along edges of the input that have the
+  /// same ends in space, as `read_triangle_mesh()` leaves them where more than two faces met at an edge. They become
+  /// chains of quad edges, and where the sheets have different numbers of quads there, rows of quads are split. It is
+  /// said where sheets cannot meet. Borders have to be aligned.
+  bool meet_at_junctions = false;
 
   double sharpness_angle = 40; ///< in degrees, for the detection of feature edges
   bool align_boundary = true;  ///< whether borders become chains of quad edges

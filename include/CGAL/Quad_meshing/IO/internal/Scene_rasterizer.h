@@ -34,8 +34,10 @@ class Scene_rasterizer
 {
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
 
-  static constexpr int samples = 2;               // per pixel, across and down
-  static constexpr double nearer_marks = 0.997;   // of the distance of the faces that lines and points lie in
+  static constexpr int samples = 2; // per pixel, across and down
+  // Of the distance of the faces that they lie in: sides of faces, and lines and points, which may lie on sides.
+  static constexpr double nearer_sides = 0.997;
+  static constexpr double nearer_marks = 0.9965;
   static constexpr double radius_of_points = 4.5; // in pixels
   static constexpr double width_of_lines = 1;     // in pixels
 
@@ -152,7 +154,7 @@ private:
         draw_face(layer, points, e, color(e));
       else if(layer.kind == Scene_layer_kind::LINES)
         for(std::size_t c = begin; c + 1 < end; ++c)
-          draw_line(points[layer.corners[c]], points[layer.corners[c + 1]], color(e));
+          draw_line(points[layer.corners[c]], points[layer.corners[c + 1]], color(e), nearer_marks);
       else
         draw_point(points[layer.corners[begin]], color(e));
     }
@@ -194,7 +196,7 @@ private:
     if(layer.has_sides)
       for(std::size_t c = begin; c < end; ++c)
         draw_line(points[layer.corners[c]], points[layer.corners[c + 1 < end ? c + 1 : begin]],
-                  { { 0.15, 0.15, 0.15 } });
+                  { { 0.15, 0.15, 0.15 } }, nearer_sides);
   }
 
   // Numbers that are linear on the triangle are, over the distance, linear on the picture.
@@ -260,9 +262,9 @@ private:
   }
 
   // Disks beside each other along the line.
-  void draw_line(const Vector_3& p, const Vector_3& q, const Scene_color& color)
+  void draw_line(const Vector_3& p, const Vector_3& q, const Scene_color& color, double share)
   {
-    const Seen a = seen(p, nearer_marks), b = seen(q, nearer_marks);
+    const Seen a = seen(p, share), b = seen(q, share);
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     const int steps = static_cast<int>(std::ceil(length)) + 1;
     for(int i = 0; i <= steps; ++i)

@@ -461,7 +461,7 @@ private:
     say(c.flattened_faces, "triangle", "triangles", " of zero area", "removed");
     say(c.reversed_faces, "face", "faces", "", "reversed to orient the surface consistently");
     say(c.separated_edges, "edge", "edges", " with more than two faces",
-        "separated into sheets, which will not fit together once they are meshed");
+        "separated into sheets, which fit together once they are meshed only if they are made to");
     say(c.split_vertices, "vertex", "vertices", " at which the surface touches itself", "split");
     say(m_number_of_lines, "line element", "line elements", "", "passed over");
     say(m_number_of_points, "point element", "point elements", "", "passed over");

@@ -11,12 +11,14 @@
 
 #include <CGAL/Quad_meshing/Pipeline/internal/Component_quadrangulation.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Guide_report.h>
+#include <CGAL/Quad_meshing/Pipeline/internal/Junction_finisher.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Placed_guides.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Size_plan.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/Surface_components.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/add_figures.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/find_request_problem.h>
 #include <CGAL/Quad_meshing/Pipeline/internal/result_message.h>
+#include <CGAL/Quad_meshing/Quad_mesh/quad_mesh_quality.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
@@ -46,12 +48,16 @@ public:
   // `copies`: how many times the quads are there in the end, with their mirror images.
   Quadrangulation_run(const Triangle_input& input, const Quadrangulation_options& options, Any_visitor& visitor,
                       std::size_t copies = 1)
-    : m_input(input)
+    : m_junctions(options.meet_at_junctions ? Junctions(input) : Junctions())
+    , m_marked_input(m_junctions.curves.empty() ? nullptr : std::make_unique<Triangle_input>(input))
+    , m_input(m_marked_input ? *m_marked_input : input)
     , m_options(options)
     , m_copies(copies)
     , m_names(options)
     , m_visitor(visitor, options.maximum_running_time)
   {
+    if(m_marked_input)
+      m_junctions.mark_sides(*m_marked_input);
   }
 
   Quadrangulation_result run(std::unique_ptr<Quadrangulation_surface>& surface,
@@ -68,6 +74,7 @@ public:
       quadrangulate_components();
       find_invalid_components();
       join(surface, quads);
+      meet_at_junctions(*surface, quads);
       report_guides(*quads);
       conclude(*quads);
     }
@@ -305,6 +312,17 @@ private:
       quads->input_face[v] = m_cut->original(quads->input_face[v]);
   }
 
+  void meet_at_junctions(const Quadrangulation_surface& surface, std::unique_ptr<Quadrangulation_quads>& quads)
+  {
+    if(m_junctions.curves.empty() || m_visitor.is_stopped() || quads->mesh.number_of_faces() == 0 ||
+       !is_quad_mesh(quads->mesh))
+      return;
+    const Junction_finisher finisher(m_input, m_junctions, surface, m_result.target_edge_length,
+                                     m_options.smoothing_iterations, quads);
+    if(!finisher.unmet.empty())
+      m_result.unmet_guides.push_back(finisher.unmet);
+  }
+
   // What became of the guides, seen from the mesh.
   void report_guides(const Quadrangulation_quads& quads)
   {
@@ -356,6 +374,11 @@ private:
         relative_length = r.target_edge_length / m_requests[i].length;
       }
     }
+    if(!m_junctions.curves.empty())
+    {
+      m_result.quads = quads.mesh.number_of_faces();
+      m_result.folded_quads = quad_mesh_quality(quads.mesh).number_of_inverted_quads;
+    }
     m_result.released_feature_share = feature_length > 0 ? released_length / feature_length : 0;
     if(m_components.size() == 1 && m_components.front()->quads)
       m_result.target_edge_length = m_components.front()->result.target_edge_length;
@@ -403,6 +426,8 @@ private:
     }
   }
 
+  Junctions m_junctions;                                // where sheets are to meet; none if that is not asked for
+  const std::unique_ptr<Triangle_input> m_marked_input; // the input with these as curves; null if there are none
   const Triangle_input& m_input;
   const Quadrangulation_options& m_options;
   const std::size_t m_copies;
