@@ -3,7 +3,7 @@
 
 usage: make_figures.py PROGRAMS MESHES FIGURES [NAME...]
 
-PROGRAMS is the folder of the programs, MESHES that of CGAL's data, FIGURES receives the pictures. NAME: gallery, guides, page; by
+PROGRAMS is the folder of the programs, MESHES that of CGAL's data, FIGURES receives the pictures. NAME: car, gallery, guides, page; by
 default all. Needs Debian's python3-pil; the page needs chromium, too. A table of the gallery is printed.
 """
 
@@ -108,6 +108,15 @@ def guides(programs, meshes, figures, folder):
         save(sheet, os.path.join(figures, "guides_before_after_%s.png" % kind))
 
 
+def car(programs, _meshes, figures, folder):
+    """A car with a layout that was made by hand."""
+    mesh, layout, picture = (os.path.join(folder, "car" + e) for e in (".off", ".txt", ".png"))
+    subprocess.run([os.path.join(programs, "car_layout_example"), mesh, layout], check=True)
+    subprocess.run([os.path.join(programs, "quadrangulate_layout"), mesh, layout, os.path.join(folder, "quads.off"), "--quads", QUADS,
+                    "--sharp-angle", "20", "--align", "tagged", "--picture", picture, "--color-by", "patch"], check=True)
+    save(Image.open(picture).convert("RGB"), os.path.join(figures, "layout_car.png"))
+
+
 def page(programs, meshes, figures, folder):
     """A page in a browser."""
     browser = shutil.which("chromium") or sys.exit("chromium is not installed")
@@ -123,7 +132,7 @@ def page(programs, meshes, figures, folder):
 def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    makers = {"gallery": gallery, "guides": guides, "page": page}
+    makers = {"car": car, "gallery": gallery, "guides": guides, "page": page}
     with tempfile.TemporaryDirectory() as folder:
         for name in sys.argv[4:] or sorted(makers):
             makers[name](*sys.argv[1:4], folder)
