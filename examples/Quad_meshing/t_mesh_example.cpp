@@ -8,7 +8,9 @@
 
 // From a seamless map to quads over its T-mesh, at any density: the field and the map are computed once.
 //
-//   t_mesh_example [input] [picture.png]
+//   t_mesh_example [input] [picture.png] [layout.txt]
+//
+// The layout is the T-mesh in the format that quadrangulate_layout reads.
 
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
@@ -16,8 +18,10 @@
 #include <CGAL/Quad_meshing/IO/read_triangle_mesh.h>
 #include <CGAL/Quad_meshing/IO/scene_layers.h>
 #include <CGAL/Quad_meshing/IO/write_png_picture.h>
+#include <CGAL/Quad_meshing/Layout/layout_from_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quads_of_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quantize_t_mesh.h>
+#include <CGAL/Quad_meshing/Layout/surface_layout_files.h>
 #include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
 #include <CGAL/Quad_meshing/Parameterization/prepare_mesh.h>
 
@@ -111,6 +115,12 @@ int main(int argc, char* argv[])
       return EXIT_FAILURE;
     if(argc > 2 && relative_length == 1)
       draw(tm, t, argv[2]);
+    if(argc > 3 && relative_length == 1)
+    {
+      std::ofstream out(argv[3]);
+      out.precision(17);
+      QM::write_surface_layout(out, QM::layout_from_t_mesh(t));
+    }
   }
   return EXIT_SUCCESS;
 }

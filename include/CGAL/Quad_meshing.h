@@ -77,6 +77,7 @@
 #include <CGAL/Quad_meshing/Layout/Motorcycle_complex.h>
 #include <CGAL/Quad_meshing/Layout/Surface_layout.h>
 #include <CGAL/Quad_meshing/Layout/layout_from_quad_mesh.h>
+#include <CGAL/Quad_meshing/Layout/layout_from_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Layout/quads_of_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quantize_t_mesh.h>

@@ -9,6 +9,7 @@
 // Layout-guided quad meshing: layouts and their files, drawing them on a surface, the energies of charts, numbers of
 // segments, and the quads that come out.
 
+#include "../../examples/Quad_meshing/car_body.h"
 #include "layout_meshes.h"
 #include "quad_mesh_checks.h"
 #include "test_cases.h"
@@ -821,6 +822,45 @@ void base_complexes_are_layouts()
     QM::layout_from_base_complex(structure_meshes::make_mesh(structure_meshes::rolled(8, 6, 0, true))).patches.empty());
 }
 
+// A layout with T-vertices that was made by hand, as it is in a file: its tagged arcs are chains of quad edges, along
+// the sharp edges and across smooth parts, at any density.
+void a_car_gets_its_layout()
+{
+  const Mesh tm = car_body::make<Mesh>(1);
+  Layout layout;
+  std::istringstream text(car_body::layout());
+  assert(QM::read_surface_layout(text, layout).is_valid());
+  for(double quads : { 600., 2000. })
+  {
+    Mesh qm;
+    auto is_aligned = qm.add_property_map<Mesh::Edge_index, bool>("e:is_aligned", false).first;
+    const Result result = QM::quadrangulate_layout(
+      tm, layout, qm, params::target_number_of_quads(quads).arc_alignment(QM::Arc_alignment::TAGGED),
+      params::edge_is_constrained_map(is_aligned));
+    std::cout << "  " << result.message << std::endl;
+    check_mesh(qm, tm, result);
+    assert(result.t_vertices == 12 && result.patches == 16 && result.aligned_arcs == 32);
+    assert(std::abs(result.quads - quads) < 0.05 * quads);
+    // every tagged arc has as many edges as segments; others may be aligned because of folds
+    std::size_t tagged = 0;
+    for(std::size_t a = 0; a < layout.arcs.size(); ++a)
+      tagged += layout.arcs[a].is_aligned ? result.segments[a] : 0;
+    std::size_t edges = 0;
+    for(auto e : qm.edges())
+      edges += is_aligned[e];
+    assert(result.forced_arcs == 0 ? edges == tagged : edges > tagged);
+    // the upper edge of a window lies where it was drawn, from one node to the other
+    double roof = 0;
+    for(auto e : qm.edges())
+    {
+      const Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1));
+      if(is_aligned[e] && p.z() > 0.5 && q.z() > 0.5 && std::abs(p.y() - 1) < 1e-9 && std::abs(q.y() - 1) < 1e-9)
+        roof += std::sqrt(CGAL::squared_distance(p, q));
+    }
+    assert(std::abs(roof - 1) < 1e-9);
+  }
+}
+
 void a_visitor_can_stop()
 {
   const Mesh tm = TM::make_mesh(TM::icosphere(3));
@@ -872,5 +912,6 @@ int main(int argc, char** argv)
                      { "files", layouts_come_back_from_files },
                      { "curves", curves_are_a_layout },
                      { "base_complex", base_complexes_are_layouts },
+                     { "car", a_car_gets_its_layout },
                      { "visitor", a_visitor_can_stop } });
 }

@@ -45,7 +45,9 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace QM = CGAL::Quad_meshing;
@@ -660,6 +662,77 @@ void test_features()
   assert(qm.is_valid(anchor) && is_fixed[anchor] && qm.point(anchor) == place);
 }
 
+// Given the directions that the sides of quads should have, the smoothing of a layout turns them there.
+void test_directions()
+{
+  const double pi = std::acos(-1.), angle = pi / 12, largest_height = 0.5;
+  const Mesh reference = SM::triangulated(SM::sphere(24));
+  const SM::Kernel::Vector_3 up(0, 0, 1);
+  auto direction_at = [&](const SM::Point_3& p, double turn)
+  {
+    const SM::Kernel::Vector_3 n = p - CGAL::ORIGIN, along = CGAL::cross_product(up, n),
+                               across = CGAL::cross_product(n, along);
+    return std::cos(turn) / std::sqrt(along.squared_length()) * along +
+           std::sin(turn) / std::sqrt(across.squared_length()) * across;
+  };
+  std::vector<std::optional<SM::Kernel::Vector_3>> directions;
+  for(Mesh::Face_index f : reference.faces())
+  {
+    const Mesh::Halfedge_index h = reference.halfedge(f);
+    const SM::Point_3 p = CGAL::centroid(reference.point(reference.source(h)), reference.point(reference.target(h)),
+                                         reference.point(reference.target(reference.next(h))));
+    directions.emplace_back();
+    if(std::abs(p.z()) < largest_height)
+      directions.back() = direction_at(p, angle);
+  }
+  // Of the edges around the equator, on average, in degrees.
+  auto deviation = [&](const Mesh& qm)
+  {
+    double sum = 0;
+    int number = 0;
+    for(Mesh::Edge_index e : qm.edges())
+    {
+      const SM::Point_3 &p = qm.point(qm.vertex(e, 0)), &q = qm.point(qm.vertex(e, 1)), m = CGAL::midpoint(p, q);
+      if(std::abs(m.z()) > largest_height)
+        continue;
+      const double turn = std::atan2((q - p) * direction_at(m, angle + pi / 2), (q - p) * direction_at(m, angle));
+      sum += std::abs(turn - pi / 2 * std::round(turn / (pi / 2))) * 180 / pi;
+      ++number;
+    }
+    return sum / number;
+  };
+  Mesh without = SM::make_mesh(SM::sphere(12)), with = without;
+  typedef CGAL::Constant_property_map<Mesh::Face_index, double> Weight;
+  const auto of_quads = CGAL::parameters::smoothing_iterations(60u);
+  const Result r = QM::optimize_quad_structure(without, reference, of_quads);
+  const Result s = QM::optimize_quad_structure(
+    with, reference, of_quads,
+    CGAL::parameters::face_direction_map(
+      boost::make_iterator_property_map(directions.begin(), get(boost::face_index, reference)))
+      .face_direction_weight_map(Weight(10)));
+  std::cout << "directions: " << deviation(without) << " degrees without, " << deviation(with) << " with" << std::endl;
+  assert(r.status == Status::SUCCESS && s.status == Status::SUCCESS);
+  assert(r.structure_after.number_of_patches == 6 && s.structure_after.number_of_patches == 6);
+  assert(deviation(without) > 10 && deviation(with) < 0.7 * deviation(without));
+}
+
+// A target that cannot be reached does no harm: the result is as coarse as without it.
+void test_unreachable_target()
+{
+  for(unsigned int seed = 0; seed < 2; ++seed)
+  {
+    const Mesh input = graph(twisted(flat(SM::refined(irregular(), 3)), 12, seed));
+    Mesh free = input, strict = input;
+    const Result f = QM::optimize_quad_structure(free, options());
+    const Result t = QM::optimize_quad_structure(strict, options().target_number_of_patches(1));
+    std::cout << "unreachable target: " << f.structure_before.number_of_patches << " patches, without it "
+              << f.structure_after.number_of_patches << ", with it " << t.structure_after.number_of_patches
+              << std::endl;
+    assert(t.structure_after.number_of_patches <= f.structure_after.number_of_patches);
+    assert(t.message.find("has not been reached") != std::string::npos);
+  }
+}
+
 void test_targets_and_experiments()
 {
   std::cout << "targets, collapse of all dual curves, merging" << std::endl;
@@ -880,6 +953,8 @@ int main(int argc, char** argv)
       { "twisted_meshes", test_twisted_meshes },
       { "helices_become_few", test_helices_become_few },
       { "features", test_features },
+      { "directions", test_directions },
+      { "unreachable_target", test_unreachable_target },
       { "targets", test_targets_and_experiments },
       { "bad_input", test_other_graph_and_bad_input },
       { "stop", test_stop },

@@ -13,6 +13,8 @@
 
 #include <CGAL/Quad_meshing/Fields/cross_field.h>
 #include <CGAL/Quad_meshing/Fields/feature_edges.h>
+#include <CGAL/Quad_meshing/Layout/layout_from_t_mesh.h>
+#include <CGAL/Quad_meshing/Layout/quadrangulate_layout.h>
 #include <CGAL/Quad_meshing/Layout/quads_of_t_mesh.h>
 #include <CGAL/Quad_meshing/Layout/quantize_t_mesh.h>
 #include <CGAL/Quad_meshing/Parameterization/Seamless_map.h>
@@ -440,6 +442,30 @@ void test_refusals()
   }
 }
 
+// The T-mesh is a layout of its mesh: as many patches, features on quad edges, at any density.
+void t_meshes_are_layouts()
+{
+  const std::vector<Named_soup> with_and_without_features = { surfaces()[0], surfaces()[1] };
+  for(const Named_soup& s : with_and_without_features)
+  {
+    Mapped_surface surface(s.soup, s.length);
+    const QM::T_mesh t = surface.t_mesh();
+    const QM::Surface_layout layout = QM::layout_from_t_mesh(t);
+    assert(layout.nodes.size() == t.nodes.size() && layout.arcs.size() == t.arcs.size());
+    for(double quads : { 300., 1200. })
+    {
+      Mesh qm;
+      const QM::Layout_quadrangulation_result r =
+        QM::quadrangulate_layout(surface.mesh, layout, qm,
+                                 parameters::target_number_of_quads(quads).edge_is_constrained_map(surface.is_feature));
+      std::cout << "  " << s.name << ": " << r.message << std::endl;
+      assert(r.is_valid() && r.patches == t.patches.size() && r.folded_patches == 0);
+      assert(r.feature_length_on_arcs >= 0.999 * r.feature_length);
+    }
+  }
+  assert(QM::layout_from_t_mesh(QM::T_mesh()).patches.empty());
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -450,5 +476,6 @@ int main(int argc, char** argv)
                      { "any_density", test_any_density },
                      { "any_start", test_any_start },
                      { "brute_force", test_brute_force },
+                     { "layouts", t_meshes_are_layouts },
                      { "refusals", test_refusals } });
 }

@@ -53,10 +53,18 @@ def page(maker):
     maker.save(maker.open(picture), "page_fandisk")
 
 
+def car(maker):
+    """A car with a layout that was made by hand."""
+    maker.run("car_layout_example", maker.file("car.off"), maker.file("layout.txt"))
+    maker.run("quadrangulate_layout", maker.file("car.off"), maker.file("layout.txt"), maker.file("quads.off"), "--quads", "2000",
+              "--sharp-angle", "20", "--align", "tagged", "--picture", maker.file("car.png"), "--color-by", "patch")
+    maker.save(maker.open(maker.file("car.png")), "layout_car")
+
+
 MAKERS = {f.__name__: f for f in (
     stage_figures.introduction, stage_figures.stages, stage_figures.working_mesh, stage_figures.fields, stage_figures.maps, stage_figures.t_meshes,
     stage_figures.extraction, stage_figures.structure, stage_figures.semi_regular, stage_figures.geodesics, stage_figures.layouts,
-    stage_figures.choices, gallery, page)}
+    stage_figures.choices, car, gallery, page)}
 MAKERS.update(KINDS)
 
 

@@ -85,6 +85,8 @@ public:
   // Limits how many parallel ones replace each curve, unless it takes more to follow a feature.
   void limit_multiplicities(std::vector<int> largest) { m_largest = std::move(largest); }
 
+  const std::vector<int>& largest_multiplicities() const { return m_largest; }
+
   // How far features are from the edges when each curve is replaced by so many: by how much their distance exceeds
   // the largest one, in units of this; mean over the length of the features.
   double feature_misfit(const Feature_bends& bends, const std::vector<int>& multiplicity) const
@@ -109,6 +111,16 @@ public:
     for(std::size_t a = 0, e = 0; a < m_length.size(); ++a)
       for(int i = 0; i < m_length[a]; ++i, ++e)
         result[a] += multiplicity[of_edge[e]];
+    return result;
+  }
+
+  // The curve that crosses each edge of the subdivision of the arcs when each curve is replaced by so many.
+  std::vector<int> curves_of_edges(const std::vector<int>& multiplicity) const
+  {
+    std::vector<int> result;
+    for(std::size_t a = 0, e = 0; a < m_length.size(); ++a)
+      for(int i = 0; i < m_length[a]; ++i, ++e)
+        result.insert(result.end(), multiplicity[of_edge[e]], of_edge[e]);
     return result;
   }
 

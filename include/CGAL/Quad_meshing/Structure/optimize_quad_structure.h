@@ -32,10 +32,11 @@ namespace Quad_meshing {
 
 namespace internal {
 
-// Optimizes a flat copy on `make_reference(copy)` and writes it back.
+// Optimizes a flat copy on `make_reference(copy)` and writes it back. `options` are those where nothing is named.
 template <typename QuadMesh, typename NamedParameters, typename MakeReference>
 Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, const NamedParameters& np,
-                                                                const MakeReference& make_reference)
+                                                                const MakeReference& make_reference,
+                                                                Structure_options options = Structure_options())
 {
   typedef Quad_structure_optimization_result Result;
 
@@ -46,7 +47,6 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
                    internal_np::number_of_iterations_t, internal_np::smoothing_iterations_t,
                    internal_np::maximum_running_time_t, internal_np::visitor_t>();
 
-  Structure_options options;
   read_parameter(np, internal_np::structure_method, options.method);
   read_parameter(np, internal_np::merge_singularities, options.merge_singularities);
   read_parameter(np, internal_np::collapse_dual_curves, options.collapse_dual_curves);
@@ -201,8 +201,9 @@ Quad_structure_optimization_result optimize_quad_structure_with(QuadMesh& qm, co
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \param np_tm an optional sequence of named parameters for `tm`: `vertex_point_map`, and
- *        `edge_is_constrained_map` that tells the feature edges, as for `smooth_quad_mesh()`
+ * \param np_tm an optional sequence of named parameters for `tm`: `vertex_point_map`, `edge_is_constrained_map` that
+ *        tells the feature edges, and `face_direction_map` with `face_direction_weight_map`, the directions that the
+ *        sides of quads should have, as for `smooth_quad_mesh()`
  *
  * \return what was done
  *
@@ -219,7 +220,12 @@ optimize_quad_structure(QuadMesh& qm, const TriangleMesh& tm,
   return internal::optimize_quad_structure_with(
     qm, np_qm,
     [&](const internal::Indexed_quad_mesh& m)
-    { return internal::Smoothing_reference(m, internal::make_indexed_reference(tm, np_tm)); });
+    {
+      return internal::Smoothing_reference(
+        m,
+        internal::make_indexed_reference<internal_np::face_direction_map_t, internal_np::face_direction_weight_map_t>(
+          tm, np_tm));
+    });
 }
 
 /*!

@@ -101,6 +101,7 @@ public:
     for(unsigned int i = 0; i < iterations && visitor.go_further(); ++i)
     {
       const std::vector<Quadrilateral_chart> old = charts.chart;
+      const std::vector<Eigen::Vector2d> old_place = m_parameterization.place, old_on_arc = m_parameterization.on_arc;
       std::vector<Quadrilateral_chart> next = old;
       for(int p = 0; p < m_e.number_of_patches(); ++p)
         if(kinds[p] != Layout_chart::UNIT)
@@ -124,7 +125,9 @@ public:
       if(!is_lower)
       {
         charts.chart = old;
-        return m_parameterization.solve(charts, all, alignment);
+        m_parameterization.place = old_place;
+        m_parameterization.on_arc = old_on_arc;
+        return true;
       }
       visitor.progress(double(i + 1) / iterations);
       const double before = energies[energies.size() - 2], now = energies.back();

@@ -72,7 +72,7 @@ struct Layout_distortion::Form
     Eigen::VectorXd n(length.size());
     for(std::size_t a = 0; a < length.size(); ++a)
       n[a] = length[a];
-    const double nn = n.dot(m_form * n), nl = n.dot(m_form_of_input);
+    const double nn = n.dot(m_form.selfadjointView<Eigen::Lower>() * n), nl = n.dot(m_form_of_input);
     return m_distortion_of_nothing - (nl > 0 ? nl * nl / nn : 0);
   }
 

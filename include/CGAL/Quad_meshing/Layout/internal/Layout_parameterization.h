@@ -13,6 +13,8 @@
 #include <CGAL/Quad_meshing/Layout/internal/Harmonic_weights.h>
 #include <CGAL/Quad_meshing/Layout/internal/Layout_charts.h>
 
+#include <CGAL/Timer.h>
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
@@ -55,6 +57,8 @@ public:
   std::vector<Eigen::Vector2d> place;  // per copy, after a solution
   std::vector<Eigen::Vector2d> on_arc; // per vertex inside an arc: (s, n), after a solution
   std::vector<int> arc_of_vertex;      // the arc that the vertex is inside of, -1 for others
+  double factorization_seconds = 0;    // processor time of all solutions so far, in so many factorizations
+  int factorizations = 0;
 
   Layout_parameterization(const Embedded_layout& e, bool mean_value_weights)
     : m_e(e), m_mean_value(mean_value_weights), m_weights(e.mesh(), mean_value_weights)
@@ -276,28 +280,32 @@ private:
     }
   }
 
-  static bool factor_and_solve(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, Eigen::VectorXd& x)
+  bool factor_and_solve(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
     if(A.rows() == 0)
     {
       x.resize(0);
       return true;
     }
+    Timer timer;
+    timer.start();
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
     solver.compute(A);
+    factorization_seconds += timer.time();
+    ++factorizations;
     if(solver.info() != Eigen::Success)
       return false;
     x = solver.solve(b);
     return x.allFinite();
   }
 
-  bool solve_exact(const Rows& exact, Eigen::VectorXd& x) const
+  bool solve_exact(const Rows& exact, Eigen::VectorXd& x)
   {
     return factor_and_solve(exact.matrix(m_unknowns), exact.right_side(), x);
   }
 
   // Minimizes |A x - b|^2 subject to B x = c, (7.12).
-  bool solve_mixed(const Rows& exact, const Rows& fitted, Eigen::VectorXd& x) const
+  bool solve_mixed(const Rows& exact, const Rows& fitted, Eigen::VectorXd& x)
   {
     const Eigen::SparseMatrix<double> A = fitted.matrix(m_unknowns), AtA = A.transpose() * A;
     const int n = m_unknowns;

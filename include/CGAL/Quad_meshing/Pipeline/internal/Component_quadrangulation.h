@@ -205,12 +205,18 @@ private:
   {
     Real_timer timer;
     timer.start();
-    const Quad_structure_optimization_result optimization =
-      optimize_quad_structure(quads->mesh, m_work.input().mesh,
-                              parameters::smoothing_iterations(m_options.smoothing_iterations)
-                                .edge_is_constrained_map(quads->is_feature)
-                                .visitor(std::ref(m_visitor)),
-                              parameters::edge_is_constrained_map(m_work.input().is_feature));
+    Structure_options structure;
+    structure.is_layout_wanted = m_options.semi_regular;
+    const Quad_structure_optimization_result optimization = optimize_quad_structure_with(
+      quads->mesh,
+      parameters::smoothing_iterations(m_options.smoothing_iterations)
+        .edge_is_constrained_map(quads->is_feature)
+        .visitor(std::ref(m_visitor)),
+      [&](const Indexed_quad_mesh& m) {
+        return Smoothing_reference(m,
+                                   smoothing_reference(parameters::edge_is_constrained_map(m_work.input().is_feature)));
+      },
+      structure);
     quads->mesh.collect_garbage();
     result.structure_seconds = timer.time();
     if(m_visitor.is_stopped())

@@ -30,8 +30,12 @@ public:
   // How many times too many quads there may be in a layout that is looked at.
   static constexpr double looked_at = 1.15;
 
-  Layout_goals(const Quad_mesh_structure& input, const Quad_mesh_quality& quality, int most_quads)
-    : m_most_helices((std::max)(Weights::helices * input.number_of_helices, double(Weights::few_helices)))
+  // Where only the layout is wanted, more helices are tolerated.
+  Layout_goals(const Quad_mesh_structure& input, const Quad_mesh_quality& quality, int most_quads,
+               bool is_layout_wanted = false)
+    : m_most_helices(
+        (std::max)(Weights::helices * input.number_of_helices,
+                   double(is_layout_wanted ? Weights::few_helices_where_a_layout_is_wanted : Weights::few_helices)))
     , m_most_patches((std::min)(Weights::patches * input.number_of_patches,
                                 Weights::patches_per_irregular_vertex * input.number_of_irregular_vertices))
     , m_most_quads(most_quads)

@@ -30,21 +30,31 @@ class Layout_helices
 public:
   // `r` is the layout itself, which must live as long as the object; `curves` are those of the same lengths.
   Layout_helices(const Layout_realization& r, const Layout_curves& curves)
+    : Layout_helices(r, curves.of_edge, curves.number_of_curves())
+  {
+  }
+
+  // The same where each curve is replaced by parallel ones: `curve_of_edge` tells it, see
+  // `Layout_curves::curves_of_edges()`.
+  Layout_helices(const Layout_realization& r, const std::vector<int>& curve_of_edge, int number_of_curves)
     : m_mesh(r.mesh)
     , m_lines(r.mesh)
     , m_relation(side_relations(r.mesh, m_lines))
     , m_curve_of_line(m_lines.number_of_lines(), -1)
-    , m_helices(curves.number_of_curves(), 0)
+    , m_helices(number_of_curves, 0)
   {
-    for(std::size_t e = 0; e < curves.of_edge.size(); ++e)
+    for(std::size_t e = 0; e < curve_of_edge.size(); ++e)
       if(r.side_of_edge[e] != -1)
       {
         const int l = m_lines.line[r.side_of_edge[e]];
-        m_curve_of_line[l] = m_curve_of_line[m_lines.reverse[l]] = curves.of_edge[e];
+        m_curve_of_line[l] = m_curve_of_line[m_lines.reverse[l]] = curve_of_edge[e];
       }
     for(const Helix_record& h : minimal_helices(m_mesh, m_lines, m_relation))
       ++m_helices[m_curve_of_line[h.line]];
   }
+
+  // Per curve.
+  const std::vector<int>& of_curves() const { return m_helices; }
 
   // By how many parallel ones each curve may be replaced so that there are about so many helices.
   std::vector<int> largest_multiplicities(double most_helices) const

@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,18 +42,21 @@ public:
   // How often the multiplicities of all curves are changed at most.
   static constexpr int largest_number_of_changes = 10;
 
+  // How often curves with helices are limited.
+  static constexpr int most_limitations = 4;
+
   // One of so many scales gives a layout that the mesh gets if the coarser ones do not fit its shape.
   static constexpr int scales_between = 4;
 
   // `target_quads` is at most the number of quads of the input.
   Layout_optimizer(const Structure_state& input, bool merge_singularities, std::size_t target_quads,
-                   std::size_t target_patches)
+                   std::size_t target_patches, bool is_layout_wanted)
     : m_input(input)
     , m_merge_singularities(merge_singularities)
     , m_target_quads(static_cast<int>(target_quads))
     , m_target_patches(target_patches)
     , m_structure(structure_of_quad_mesh(input.mesh))
-    , m_goals(m_structure, quality_of_quad_mesh(input.mesh), m_target_quads)
+    , m_goals(m_structure, quality_of_quad_mesh(input.mesh), m_target_quads, is_layout_wanted)
     , m_complex(input.mesh, input.is_fixed)
     , m_bends(input.mesh, m_complex)
   {
@@ -132,8 +137,11 @@ private:
     curves.follow(m_bends);
     const Layout_realization itself(m_input.mesh, quantization, layout, m_input.is_fixed, Layout_realization::TOPOLOGY);
     const Layout_helices helices(itself, curves);
-    const Layout_cost::Density density = m_search->cost().density(curves, helices, m_target_quads);
-    std::vector<int> length = improved(quantization, curves, helices, density.multiplicities, visitor);
+    std::vector<int> multiplicity = improved(
+      quantization, curves, helices, m_search->cost().density(curves, helices, m_target_quads).multiplicities, visitor);
+    for(int i = 0; i < most_limitations && limit_helices(quantization, multiplicity, curves); ++i)
+      multiplicity = improved(quantization, curves, helices, curves.multiplicities_within(m_target_quads), visitor);
+    std::vector<int> length = curves.lengths(multiplicity);
     // a very coarse mesh may have edges that share both ends
     double aim = largest_edge_length;
     while(fits(quantization, length))
@@ -156,6 +164,27 @@ private:
         return false;
     }
     return false;
+  }
+
+  // Parallel curves may wind up with each other where one alone does not. If there are more helices than are tolerated
+  // when each curve is replaced by so many, limits the curves that have them, in proportion, and returns true.
+  bool limit_helices(const Layout_quantization& quantization, const std::vector<int>& multiplicity,
+                     Layout_curves& curves) const
+  {
+    const std::vector<int> length = curves.lengths(multiplicity);
+    const Layout_realization r(m_input.mesh, quantization, length, m_input.is_fixed, Layout_realization::TOPOLOGY);
+    const std::vector<int> helices =
+      Layout_helices(r, curves.curves_of_edges(multiplicity), curves.number_of_curves()).of_curves();
+    const int all = std::accumulate(helices.begin(), helices.end(), 0),
+              most = m_goals.tolerated_helices(static_cast<int>(m_structure.number_of_helices));
+    if(all <= most)
+      return false;
+    std::vector<int> largest = curves.largest_multiplicities();
+    for(std::size_t c = 0; c < helices.size(); ++c)
+      if(helices[c] > 0)
+        largest[c] = (std::min)(largest[c], (std::max)(1, multiplicity[c] * most / all));
+    curves.limit_multiplicities(std::move(largest));
+    return true;
   }
 
   // Changes the multiplicities one by one as long as the price falls, beginning with coarser ones if these do not fit.
@@ -200,7 +229,7 @@ private:
             multiplicity[c] -= by;
         }
     }
-    return curves.lengths(multiplicity);
+    return multiplicity;
   }
 
   // The result has no more quads, edges and vertices than the input: nothing has to be allocated.

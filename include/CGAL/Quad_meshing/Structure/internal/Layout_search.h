@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -85,17 +86,24 @@ public:
   {
     if(m_quantization.number_of_quads(m_quantization.length) > m_largest_quads)
       return forbidden;
+    // What takes least time comes first, and most layouts are given up before their helices are known. Curves that are
+    // multiplied less because of these hardly ever have a lower price.
     Layout_curves curves(m_quantization, m_quantization.length);
+    const int most_quads = static_cast<int>(Layout_goals::looked_at * m_goals.most_quads());
+    Density d = density_of(curves, curves.multiplicities_within(most_quads));
+    auto misfit = [&] { return Layout_weights::features * curves.feature_misfit(m_bends, d.multiplicities); };
+    double cost = d.price + misfit();
+    if(cost + m_goals.price_of_structure(0, 0, d.quads) > limit)
+      return cost + m_goals.price_of_structure(0, 0, d.quads);
     const Layout_realization r = realization();
-    const Layout_helices helices(r, curves);
-    const Density d = density(curves, helices, static_cast<int>(Layout_goals::looked_at * m_goals.most_quads()));
-    double cost = d.price + Layout_weights::features * curves.feature_misfit(m_bends, d.multiplicities);
-    if(cost > limit)
-      return cost;
     const int patches = number_of_base_complex_patches(r.mesh);
     if(patches > m_largest_patches)
       return forbidden;
-    cost += m_goals.price_of_structure(d.helices, patches, d.quads);
+    if(cost + m_goals.price_of_structure(0, patches, d.quads) > limit)
+      return cost + m_goals.price_of_structure(0, patches, d.quads);
+    const Layout_helices helices(r, curves);
+    d = density(curves, helices, most_quads, std::move(d));
+    cost = d.price + misfit() + m_goals.price_of_structure(d.helices, patches, d.quads);
     if(cost > limit)
       return cost;
     const int crossings =
@@ -123,11 +131,18 @@ public:
   // others, or only as far as helices are tolerated. Limits the multiplicities of the curves if it is the second one.
   Density density(Layout_curves& curves, const Layout_helices& helices, int most_quads) const
   {
-    const Density free = density_of(curves, helices, curves.multiplicities_within(most_quads));
+    return density(curves, helices, most_quads, density_of(curves, curves.multiplicities_within(most_quads)));
+  }
+
+  // The same; `free` is what the first way gives.
+  Density density(Layout_curves& curves, const Layout_helices& helices, int most_quads, Density free) const
+  {
+    free.helices = helices.number_of_helices(free.multiplicities);
     if(free.helices <= m_goals.most_helices())
       return free;
     curves.limit_multiplicities(helices.largest_multiplicities(m_goals.most_helices()));
-    const Density limited = density_of(curves, helices, curves.multiplicities_within(most_quads));
+    Density limited = density_of(curves, curves.multiplicities_within(most_quads));
+    limited.helices = helices.number_of_helices(limited.multiplicities);
     if(limited.price + m_goals.price_of_structure(limited.helices, 0, limited.quads) <=
        free.price + m_goals.price_of_structure(free.helices, 0, free.quads))
       return limited;
@@ -136,11 +151,11 @@ public:
   }
 
 private:
-  Density density_of(const Layout_curves& curves, const Layout_helices& helices, std::vector<int> multiplicities) const
+  // All but the helices.
+  Density density_of(const Layout_curves& curves, std::vector<int> multiplicities) const
   {
     Density d;
     const std::vector<int> length = curves.lengths(multiplicities);
-    d.helices = helices.number_of_helices(multiplicities);
     d.quads = m_quantization.number_of_quads(length);
     d.growth = Layout_weights::squared_degrees * m_distortion(length);
     d.price = m_goals.price_of_growth(m_caution * d.growth);

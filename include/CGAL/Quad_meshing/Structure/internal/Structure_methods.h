@@ -17,6 +17,7 @@
 #include <CGAL/Quad_meshing/Structure/internal/Structure_state.h>
 #include <CGAL/Quad_meshing/Structure/internal/optimize_indexed_quad_structure.h>
 #include <CGAL/Quad_meshing/internal/Any_visitor.h>
+#include <CGAL/Quad_meshing/internal/Base_complex_arrays.h>
 #include <CGAL/Quad_meshing/internal/Watched_visitor.h>
 
 #include <algorithm>
@@ -27,13 +28,13 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// Looks for a coarse layout that reaches all goals, and takes the one that comes closest among those whose shape is
-// accepted after smoothing, and that have not more helices than the input, or so few that these do no harm; if there is
-// none, the mesh stays as it is.
+// Looks for a coarse layout that reaches all goals, and gives the one that comes closest among those whose shape is
+// accepted after smoothing, and that have not more helices than the input, or so few that these do no harm. Returns
+// false if there is none.
 // `smooth(state, sweeps)` smooths and returns what has been done.
 template <typename Smooth>
-void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
-                     const Smooth& smooth, Any_visitor& visitor)
+bool find_layout(const Structure_optimizer& optimizer, const Structure_options& options, std::size_t target_patches,
+                 const Accepted_shape& accepted, const Smooth& smooth, Any_visitor& visitor, Structure_state& best)
 {
   // How many layouts are realized and smoothed after each search, and how many quads all of them have together at most.
   constexpr int layouts_per_search = 4;
@@ -46,15 +47,16 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
                                                             : quads;
   const int attempts = static_cast<int>(options.layouts);
   if(!visitor.go_further())
-    return;
-  Layout_optimizer layout(optimizer.state, options.merge_singularities, target, options.target_patches);
+    return false;
+  Layout_optimizer layout(optimizer.state, options.merge_singularities, target, target_patches,
+                          options.is_layout_wanted);
   if(!visitor.go_further())
-    return;
+    return false;
   Watched_visitor searching(visitor, search_share * options.maximum_running_time);
   layout.search(attempts, searching);
 
   const int most_helices = layout.goals().tolerated_helices(optimizer.score().helices);
-  Structure_state best, candidate;
+  Structure_state candidate;
   double least_price = Layout_cost::forbidden;
   std::size_t quads_tried = 0;
   bool is_done = false;
@@ -78,7 +80,30 @@ void optimize_layout(Structure_optimizer& optimizer, const Structure_options& op
       tried = 0;
     }
   }
-  if(least_price < Layout_cost::forbidden)
+  return least_price < Layout_cost::forbidden;
+}
+
+// Takes the best layout that is found. If there is none, the mesh stays as it is.
+template <typename Smooth>
+void optimize_layout(Structure_optimizer& optimizer, const Structure_options& options, const Accepted_shape& accepted,
+                     const Smooth& smooth, Any_visitor& visitor)
+{
+  Structure_state best;
+  bool is_found = find_layout(optimizer, options, options.target_patches, accepted, smooth, visitor, best);
+  auto patches = [](const Structure_state& s) { return std::size_t(number_of_base_complex_patches(s.mesh)); };
+  // As coarse as a target that is out of reach, layouts have a shape that is not accepted, and what is left is worse
+  // than what a search without it finds.
+  if(options.target_patches > 0 && (!is_found || patches(best) > options.target_patches))
+  {
+    Structure_state other;
+    if(find_layout(optimizer, options, 0, accepted, smooth, visitor, other) &&
+       (!is_found || patches(other) < patches(best)))
+    {
+      is_found = true;
+      best = std::move(other);
+    }
+  }
+  if(is_found)
     optimizer.set_state(std::move(best));
 }
 

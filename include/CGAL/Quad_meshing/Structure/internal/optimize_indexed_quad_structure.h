@@ -30,6 +30,7 @@ struct Structure_options
   bool collapse_dual_curves = false;
   std::size_t target_quads = 0;
   std::size_t target_patches = 0;
+  bool is_layout_wanted = false; // the base complex alone: quads are made anew along it, as many as are wanted
   unsigned int layouts = 10000;
   unsigned int smoothing_iterations = 20;
   double maximum_running_time = (std::numeric_limits<double>::infinity)(); // seconds
