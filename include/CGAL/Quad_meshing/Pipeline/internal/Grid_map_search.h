@@ -259,6 +259,7 @@ private:
                            .edge_is_constrained_map(map_of(boost::edge_index, constrained))
                            .align_boundary(m_options.quadrangulation.align_boundary)
                            .cross_field_method(method)
+                           .singularity_cost(m_options.quadrangulation.singularity_cost)
                            .rounding_tolerance(m_options.quadrangulation.rounding_tolerance)
                            .gauss_seidel_iterations(m_options.quadrangulation.gauss_seidel_iterations)
                            .conjugate_gradient_iterations(m_options.quadrangulation.conjugate_gradient_iterations)
