@@ -18,6 +18,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
