@@ -124,6 +124,8 @@ int main(int argc, char* argv[])
         "a file .rosy with a direction for each face of IN, which the field gets")(
         "curvature-alignment", po::value<double>()->default_value(1),
         "0 to 1: how much quads follow the directions in which the surface bends least")(
+        "singularity-cost", po::value<double>()->default_value(0.6),
+        "what an irregular vertex must save: more means fewer of them, and quads that follow the surface less")(
         "work-on-input", "make field and map on the input's own triangles instead of a working mesh")(
         "rounding", po::value<std::string>()->default_value("greedy"),
         "direct, greedy or lattice: how integers are found")(
@@ -202,6 +204,7 @@ int main(int argc, char* argv[])
       q.options.sharpness_angle = sharp_angle;
       q.options.align_boundary = align_boundary;
       q.options.curvature_alignment = args.number("curvature-alignment", 0, 1);
+      q.options.singularity_cost = args.number("singularity-cost", 0, 1000);
       q.options.cross_field_method = field;
       q.options.work_on_input = args.has("work-on-input");
       q.options.rounding_tolerance = greedy.tolerance;

@@ -18,6 +18,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -52,9 +53,9 @@ struct Interruptible_visitor : QM::Default_visitor
 std::unique_ptr<Run>
 quadrangulate(const Doubles& points, const Integers& triangles, double target_quads, double target_edge_length,
               double sharp_angle, bool align_boundary, const std::optional<Integers>& feature_edges,
-              const std::optional<Doubles>& directions, double curvature_alignment, const std::string& field,
-              const std::string& rounding, bool optimize_structure, bool semi_regular, bool work_on_input,
-              unsigned int threads, unsigned int seed, const std::optional<double>& time_limit,
+              const std::optional<Doubles>& directions, double curvature_alignment, double singularity_cost,
+              const std::string& field, const std::string& rounding, bool optimize_structure, bool semi_regular,
+              bool work_on_input, unsigned int threads, unsigned int seed, const std::optional<double>& time_limit,
               const std::optional<Integers>& curve_edges, const Curve_arrays& curves, const Curve_arrays& strokes,
               double stroke_weight, const std::optional<Doubles>& indices, const std::optional<Doubles>& index_sums,
               const std::optional<Doubles>& connections, const std::optional<Doubles>& face_lengths,
@@ -108,6 +109,8 @@ quadrangulate(const Doubles& points, const Integers& triangles, double target_qu
     check_positive("target_edge_length", target_edge_length);
   if(!(curvature_alignment >= 0 && curvature_alignment <= 1))
     throw std::invalid_argument("curvature_alignment must be a number from 0 to 1");
+  if(!(singularity_cost >= 0 && std::isfinite(singularity_cost)))
+    throw std::invalid_argument("singularity_cost must be a number, 0 or more");
   if(threads < 1)
     throw std::invalid_argument("threads must be at least 1");
   q.options.target_number_of_quads = target_quads;
@@ -115,6 +118,7 @@ quadrangulate(const Doubles& points, const Integers& triangles, double target_qu
   q.options.sharpness_angle = sharp_angle;
   q.options.align_boundary = align_boundary;
   q.options.curvature_alignment = curvature_alignment;
+  q.options.singularity_cost = singularity_cost;
   q.options.cross_field_method =
     methods[choice("field", field, { "representation", "greedy", "greedy-and-search", "polished" })];
   q.options.rounding_method = roundings[choice("rounding", rounding, { "direct", "greedy", "lattice" })];
@@ -275,14 +279,14 @@ void bind_quadrangulation(py::module_& module)
     "quadrangulate", &quadrangulate, py::arg("points"), py::arg("triangles"), py::kw_only(),
     py::arg("target_quads") = 4000., py::arg("target_edge_length") = 0., py::arg("sharp_angle") = 40.,
     py::arg("align_boundary") = true, py::arg("feature_edges") = py::none(), py::arg("directions") = py::none(),
-    py::arg("curvature_alignment") = 1., py::arg("field") = "polished", py::arg("rounding") = "greedy",
-    py::arg("optimize_structure") = false, py::arg("semi_regular") = false, py::arg("work_on_input") = false,
-    py::arg("threads") = 1, py::arg("seed") = 0, py::arg("time_limit") = py::none(),
-    py::arg("curve_edges") = py::none(), py::arg("curves") = Curve_arrays(), py::arg("strokes") = Curve_arrays(),
-    py::arg("stroke_weight") = QM::Guide_stroke().weight, py::arg("indices") = py::none(),
-    py::arg("index_sums") = py::none(), py::arg("connections") = py::none(), py::arg("face_lengths") = py::none(),
-    py::arg("vertex_lengths") = py::none(), py::arg("size_discs") = py::none(), py::arg("sizing") = "constant",
-    py::arg("symmetry") = std::vector<py::object>(),
+    py::arg("curvature_alignment") = 1., py::arg("singularity_cost") = QM::Quadrangulation_options().singularity_cost,
+    py::arg("field") = "polished", py::arg("rounding") = "greedy", py::arg("optimize_structure") = false,
+    py::arg("semi_regular") = false, py::arg("work_on_input") = false, py::arg("threads") = 1, py::arg("seed") = 0,
+    py::arg("time_limit") = py::none(), py::arg("curve_edges") = py::none(), py::arg("curves") = Curve_arrays(),
+    py::arg("strokes") = Curve_arrays(), py::arg("stroke_weight") = QM::Guide_stroke().weight,
+    py::arg("indices") = py::none(), py::arg("index_sums") = py::none(), py::arg("connections") = py::none(),
+    py::arg("face_lengths") = py::none(), py::arg("vertex_lengths") = py::none(), py::arg("size_discs") = py::none(),
+    py::arg("sizing") = "constant", py::arg("symmetry") = std::vector<py::object>(),
     py::arg("symmetry_tolerance") = QM::Quadrangulation_options().symmetry_tolerance,
     R"(Makes a quad mesh of a triangle mesh. Returns a Quadrangulation; look at its is_valid.
 
@@ -294,6 +298,7 @@ align_boundary: whether borders become chains of quad edges.
 feature_edges: (k, 2), pairs of points; none are detected then.
 directions: (m, 3), a vector in the plane of each triangle that the quads follow; rows of zeros or nan: none.
 curvature_alignment: from 0 to 1, how much quads follow the directions in which the surface bends least.
+singularity_cost: 0 or more, what an irregular vertex must save; more means fewer of them.
 field: 'representation', 'greedy', 'greedy-and-search' or 'polished'. rounding: 'direct', 'greedy' or 'lattice'.
 optimize_structure: whether the base complex is made coarser.
 semi_regular: whether the quads are then made anew along it.

@@ -424,7 +424,7 @@ void test_soft_start()
   for(int clusters : { n, n / 3 })
   {
     std::vector<double> angle;
-    assert(I::Representation_field(problem, clusters, false, silent.progress)(angle));
+    assert(I::Representation_field(problem, clusters, silent.progress)(angle));
     double largest = 0;
     for(int f = 0; f < n; ++f)
       largest = (std::max)(largest, std::abs(std::polar(std::abs(z[f]), 4 * angle[f]) - z[f]));

@@ -646,7 +646,7 @@ void test_close_pairs()
     flat.finish();
     const I::Dual_laplacian laplacian(problem, silent.progress);
     I::Cross_field field;
-    assert(I::Representation_field(problem, m.number_of_faces(), true, silent.progress)(field.angle));
+    assert(I::Representation_field(problem, m.number_of_faces(), silent.progress)(field.angle));
     I::round_jumps(problem, field);
     laplacian.solve_angles(field);
     std::vector<char> on_border(m.number_of_vertices(), 0);
@@ -738,51 +738,56 @@ void test_annihilation()
   I::Field_problem& problem = flat.problem;
   flat.finish();
   stage_checks::Silent_progress silent;
-  I::Dual_laplacian laplacian(problem, silent.progress);
-  I::Cross_field field;
-  I::Any_visitor visitor;
-  Result result;
-  assert(I::solve_field(problem, I::Field_options(), visitor, field, result) == Status::SUCCESS);
-  const std::vector<double> no_costs(m.number_of_vertices(), 0.);
-  for(int steps : { 2, 7, 10 })
+  for(bool has_weights : { false, true })
   {
-    // The pair and the path between them.
-    I::Cross_field spoilt = field;
-    std::vector<std::pair<int, int>> path;
-    int h = 0;
-    for(int i = 0; i < steps; ++i)
+    if(has_weights)
+      problem.set_surface_weights();
+    I::Dual_laplacian laplacian(problem, silent.progress);
+    I::Cross_field field;
+    I::Any_visitor visitor;
+    Result result;
+    assert(I::solve_field(problem, I::Field_options(), visitor, field, result) == Status::SUCCESS);
+    const std::vector<double> no_costs(m.number_of_vertices(), 0.);
+    for(int steps : { 2, 7, 10 })
     {
-      const int e = m.edge_of[h];
-      path.emplace_back(e, m.halfedge_of_edge[e] == h ? 1 : -1);
-      spoilt.period_jump[e] += path.back().second;
-      h = m.next(h);
-      h = m.next(m.opposite[m.next(m.opposite[h])]);
+      // The pair and the path between them.
+      I::Cross_field spoilt = field;
+      std::vector<std::pair<int, int>> path;
+      int h = 0;
+      for(int i = 0; i < steps; ++i)
+      {
+        const int e = m.edge_of[h];
+        path.emplace_back(e, m.halfedge_of_edge[e] == h ? 1 : -1);
+        spoilt.period_jump[e] += path.back().second;
+        h = m.next(h);
+        h = m.next(m.opposite[m.next(m.opposite[h])]);
+      }
+      laplacian.solve_angles(spoilt);
+      {
+        const I::Sector_quads quads(problem, field, no_costs, 0.);
+        I::Jump_candidates candidates(problem, laplacian);
+        candidates.update(field, quads, silent.progress);
+        const double foreseen = candidates.change_path(path, field),
+                     change = problem.energy(spoilt) - problem.energy(field);
+        // What half columns neglect adds up along the path: to 5.2 % of the change for ten edges with the order of
+        // CHOLMOD.
+        assert(change > 0.1 && std::abs(foreseen - change) < 0.08 * change);
+        candidates.update(spoilt, quads, silent.progress);
+        const double residual = candidates[0].residual, self = candidates.energy_change(0, 1);
+        I::Cross_field changed = spoilt;
+        changed.period_jump[candidates[0].edge] += 1;
+        candidates.change_jump(0, 1);
+        laplacian.solve_angles(changed);
+        assert(std::abs(problem.residual(candidates[0].edge, spoilt) - residual) < 1e-9);
+        assert(std::abs(problem.residual(candidates[0].edge, changed) - candidates[0].residual) < 1e-2);
+        assert(std::abs(problem.energy(changed) - problem.energy(spoilt) - self) < 1e-2);
+      }
+      I::Sector_quads quads(problem, spoilt, no_costs, 0.);
+      I::Jump_polish polish(problem, laplacian, silent.progress);
+      const double energy = polish.annihilate(spoilt, quads, 4);
+      assert(I::field_indices(problem, spoilt) == std::vector<int>(m.number_of_vertices(), 0));
+      assert(std::abs(problem.energy(spoilt) - energy) < 1e-9 && std::abs(energy - problem.energy(field)) < 1e-9);
     }
-    laplacian.solve_angles(spoilt);
-    {
-      const I::Sector_quads quads(problem, field, no_costs, 0.);
-      I::Jump_candidates candidates(problem, laplacian);
-      candidates.update(field, quads, silent.progress);
-      const double foreseen = candidates.change_path(path, field),
-                   change = problem.energy(spoilt) - problem.energy(field);
-      // What half columns neglect adds up along the path: to 5.2 % of the change for ten edges with the order of
-      // CHOLMOD.
-      assert(change > 0.1 && std::abs(foreseen - change) < 0.08 * change);
-      candidates.update(spoilt, quads, silent.progress);
-      const double residual = candidates[0].residual, self = candidates.energy_change(0, 1);
-      I::Cross_field changed = spoilt;
-      changed.period_jump[candidates[0].edge] += 1;
-      candidates.change_jump(0, 1);
-      laplacian.solve_angles(changed);
-      assert(std::abs(problem.residual(candidates[0].edge, spoilt) - residual) < 1e-9);
-      assert(std::abs(problem.residual(candidates[0].edge, changed) - candidates[0].residual) < 1e-2);
-      assert(std::abs(problem.energy(changed) - problem.energy(spoilt) - self) < 1e-2);
-    }
-    I::Sector_quads quads(problem, spoilt, no_costs, 0.);
-    I::Jump_polish polish(problem, laplacian, silent.progress);
-    const double energy = polish.annihilate(spoilt, quads, 4);
-    assert(I::field_indices(problem, spoilt) == std::vector<int>(m.number_of_vertices(), 0));
-    assert(std::abs(problem.energy(spoilt) - energy) < 1e-9 && std::abs(energy - problem.energy(field)) < 1e-9);
   }
 }
 
@@ -936,6 +941,59 @@ void test_surface_weights()
       }
     assert(inner == 1);
   }
+}
+
+// Nor does the polished field of quads depend on the triangles: on a sphere with 32 meridians, whose triangles are
+// narrow at the poles, the singularities lie far from each other, nearly as far as the corners of a cube.
+void test_sphere_with_poles()
+{
+  std::cout << "sphere with poles" << std::endl;
+  const int meridians = 32, parallels = 15;
+  Field f(mapped(cylinder(meridians, parallels - 1, true, 1, 2),
+                 [&](const Point_3& p)
+                 {
+                   if(std::hypot(p.x(), p.y()) < 0.5)
+                     return Point_3(0, 0, p.z() > 1 ? 1 : -1);
+                   const double a = pi * (p.z() / 2 * (parallels - 1) + 1) / (parallels + 1);
+                   return Point_3(p.x() * std::sin(a), p.y() * std::sin(a), -std::cos(a));
+                 }));
+  for(Vertex v : f.tm.vertices())
+    assert(std::abs((f.tm.point(v) - CGAL::ORIGIN).squared_length() - 1) < 1e-9);
+  const double length = std::sqrt(4 * pi / 600);
+  const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
+                                                          params::target_edge_length(length).singularity_cost(1));
+  check(f, r);
+  double nearest = 2;
+  for(Vertex v : f.tm.vertices())
+    for(Vertex w : f.tm.vertices())
+      if(v != w && f.index[v] != 0 && f.index[w] != 0)
+        nearest = (std::min)(nearest, std::sqrt(squared_distance(f.tm.point(v), f.tm.point(w))));
+  std::cout << "  " << r.singularities << " singularities, " << nearest << " from each other" << std::endl;
+  assert(r.singularities == 8 && nearest > 0.85 * 2 / std::sqrt(3.));
+}
+
+// A torus needs no singularity: the more they cost, the fewer there are, and those that are kept are worth it.
+void test_singularity_cost()
+{
+  std::cout << "singularity cost" << std::endl;
+  Field f(perturbed(torus(40, 20), 0.05));
+  std::vector<double> energies, indices;
+  for(double cost : { 0., 0.5, 2., 50. })
+  {
+    const Result r = CGAL::Quad_meshing::smooth_cross_field(f.tm, f.angle, f.jump, f.index,
+                                                            params::target_edge_length(0.1).singularity_cost(cost));
+    check(f, r);
+    double sum = 0;
+    for(Vertex v : f.tm.vertices())
+      sum += std::abs(f.index[v]);
+    std::cout << "  cost " << cost << ": energy " << r.energy << ", singularities " << sum << std::endl;
+    // By the measure that was asked for no other field is better, but for what local minima differ by.
+    for(std::size_t i = 0; i < energies.size(); ++i)
+      assert(r.energy + cost * sum <= 1.02 * (energies[i] + cost * indices[i]) + 1e-9);
+    energies.push_back(r.energy);
+    indices.push_back(sum);
+  }
+  assert(indices.back() == 0 && indices.front() > 0);
 }
 
 void test_input()
@@ -1224,6 +1282,8 @@ int main(int argc, char** argv)
                      { "sector_potentials", test_sector_potentials },
                      { "small_meshes", test_small_meshes },
                      { "surface_weights", test_surface_weights },
+                     { "sphere_with_poles", test_sphere_with_poles },
+                     { "singularity_cost", test_singularity_cost },
                      { "input", test_input },
                      { "pinched_vertices", test_pinched_vertices },
                      { "edited_fields", test_edited_fields },

@@ -29,6 +29,8 @@
 //   face_direction_map              property map  face -> optional vector that the cross field follows; none
 //   face_direction_weight_map       property map  face -> weight of that vector, infinite: hard; all hard
 //   curvature_alignment             double        how much quads follow the directions of least curvature, 0 to 1; 1
+//   singularity_cost                double        what an irregular vertex must save to be worth while, in units of
+//                                                 the energy of cross fields; 0, in quadrangulate() 0.6
 //   work_on_input                   bool          whether field and map are made on the triangles of the input instead
 //                                                 of a working mesh; false
 //   face_sizing_map                 property map  face -> target edge length, before target_edge_length; constant
@@ -152,6 +154,7 @@
   CGAL_add_named_parameter(face_direction_map_t, face_direction_map, face_direction_map)            \
   CGAL_add_named_parameter(face_direction_weight_map_t, face_direction_weight_map, face_direction_weight_map)\
   CGAL_add_named_parameter(curvature_alignment_t, curvature_alignment, curvature_alignment)         \
+  CGAL_add_named_parameter(singularity_cost_t, singularity_cost, singularity_cost)                  \
   CGAL_add_named_parameter(work_on_input_t, work_on_input, work_on_input)                           \
   CGAL_add_named_parameter(input_face_map_t, input_face_map, input_face_map)                        \
   CGAL_add_named_parameter(minimum_anisotropy_t, minimum_anisotropy, minimum_anisotropy)            \

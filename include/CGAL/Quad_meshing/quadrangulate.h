@@ -104,6 +104,13 @@ The result depends on nothing but the surface and the parameters: not on the num
     \cgalParamType{`double`, from 0, not at all, to 1}
     \cgalParamDefault{1}
   \cgalParamNEnd
+  \cgalParamNBegin{singularity_cost}
+    \cgalParamDescription{what an irregular vertex must save to be worth while: fewer of them with more. In the units of
+      the energy of the cross field (`smooth_cross_field()`), in which, at full alignment, 10 quads that are 10 degrees
+      off reliable directions of least curvature cost 0.6}
+    \cgalParamType{`double`, 0 or more}
+    \cgalParamDefault{0.6}
+  \cgalParamNEnd
   \cgalParamNBegin{face_sizing_map}
     \cgalParamDescription{the length of quad edges per face, in the unit of the points; 0 or less: no wish there. If
       there are faces
@@ -309,8 +316,8 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal_np::smallest_edge_length_t, internal_np::largest_edge_length_t, internal_np::sizing_gradation_t,
     internal_np::feature_curves_t, internal_np::edge_is_curve_map_t, internal_np::strokes_t,
     internal_np::index_guides_t, internal_np::symmetry_planes_t, internal_np::symmetry_tolerance_t,
-    internal_np::curvature_alignment_t, internal_np::work_on_input_t, internal_np::cross_field_method_t,
-    internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
+    internal_np::curvature_alignment_t, internal_np::singularity_cost_t, internal_np::work_on_input_t,
+    internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
     internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t, internal_np::rounding_method_t,
     internal_np::anisotropy_weight_t, internal_np::smoothing_iterations_t, internal_np::optimize_structure_t,
     internal_np::semi_regular_t, internal_np::number_of_threads_t, internal_np::random_seed_t,
@@ -377,6 +384,7 @@ Quadrangulation_result quadrangulate(const TriangleMesh& tm, QuadMesh& qm,
     internal::read_parameter(np, internal_np::align_boundary, o.align_boundary);
     internal::read_parameter(np, internal_np::cross_field_method, o.cross_field_method);
     internal::read_parameter(np, internal_np::curvature_alignment, o.curvature_alignment);
+    internal::read_parameter(np, internal_np::singularity_cost, o.singularity_cost);
     internal::read_parameter(np, internal_np::work_on_input, o.work_on_input);
     internal::read_parameter(np, internal_np::rounding_method, o.rounding_method);
     internal::read_parameter(np, internal_np::anisotropy_weight, o.anisotropy_weight);

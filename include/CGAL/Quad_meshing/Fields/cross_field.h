@@ -131,6 +131,14 @@ namespace Quad_meshing {
  *     \cgalParamType{`Cross_field_method`}
  *     \cgalParamDefault{`Cross_field_method::POLISHED`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{singularity_cost}
+ *     \cgalParamDescription{what every quarter of the index of a singularity costs in units of the energy, besides the
+ *       energy: the local search keeps a pair of singularities only if the field is that much better with it, smoother
+ *       or nearer to soft directions. A single singularity adds about 0.5 to the energy by itself. For `POLISHED` and
+ *       `GREEDY_AND_SEARCH`}
+ *     \cgalParamType{`double`, 0 or more}
+ *     \cgalParamDefault{`0`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{rounding_tolerance}
  *     \cgalParamDescription{the accuracy to which the levels of greedy rounding update the field, in units of the
  *       variables; for `GREEDY` and `GREEDY_AND_SEARCH`, like the next three. See `solve_mixed_integer()`.}
@@ -203,10 +211,11 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   internal::check_parameters<
     NamedParameters, internal_np::edge_is_constrained_t, internal_np::align_boundary_t,
     internal_np::face_direction_map_t, internal_np::face_direction_weight_map_t, internal_np::target_edge_length_t,
-    internal_np::cross_field_method_t, internal_np::rounding_tolerance_t, internal_np::gauss_seidel_iterations_t,
-    internal_np::conjugate_gradient_iterations_t, internal_np::allow_refactorization_t,
-    internal_np::number_of_bound_rounds_t, internal_np::face_sizing_map_t, internal_np::prescribed_index_map_t,
-    internal_np::visitor_t, internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::face_index_t>();
+    internal_np::cross_field_method_t, internal_np::singularity_cost_t, internal_np::rounding_tolerance_t,
+    internal_np::gauss_seidel_iterations_t, internal_np::conjugate_gradient_iterations_t,
+    internal_np::allow_refactorization_t, internal_np::number_of_bound_rounds_t, internal_np::face_sizing_map_t,
+    internal_np::prescribed_index_map_t, internal_np::visitor_t, internal_np::vertex_point_t,
+    internal_np::vertex_index_t, internal_np::face_index_t>();
   constexpr bool has_edge_map =
     internal::map_parameter_is_readable<internal_np::edge_is_constrained_t, NamedParameters, edge_descriptor, bool>();
   static_assert(has_edge_map, "edge_is_constrained_map must give a bool for every edge of the triangle mesh.");
@@ -222,6 +231,7 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
   options.method = choose_parameter(get_parameter(np, internal_np::cross_field_method), Cross_field_method::POLISHED);
   options.target_edge_length = to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.));
   options.number_of_bound_rounds = choose_parameter(get_parameter(np, internal_np::number_of_bound_rounds), 0);
+  options.singularity_cost = to_double(choose_parameter(get_parameter(np, internal_np::singularity_cost), 0.));
   options.rounding_tolerance =
     choose_parameter(get_parameter(np, internal_np::rounding_tolerance), options.rounding_tolerance);
   options.gauss_seidel_iterations =
@@ -289,6 +299,9 @@ Cross_field_result smooth_cross_field(const TriangleMesh& tm, FaceAngleMap angle
         problem.prescribed_quads[get(vim, v)] = 4 - *i;
       }
   }
+  const bool is_for_quads = options.method == Cross_field_method::POLISHED && options.target_edge_length > 0;
+  if(is_for_quads || options.method == Cross_field_method::REPRESENTATION)
+    problem.set_surface_weights();
   problem.find_components();
   problem.sectors = internal::make_field_sectors(mesh, problem.aligned);
 

@@ -32,6 +32,9 @@ struct Grid_map_plan
 {
   /// The method by which the cross field is computed anew; none: the field of the best attempt stays.
   std::optional<Cross_field_method> new_field;
+  /// Whether singularities of the new field cost nothing but what they add to its energy
+  /// (`Quadrangulation_options::singularity_cost`).
+  bool frees_singularities = false;
   /// The length of quad edges over the one asked for.
   double relative_length = 1;
   /// Feature edges with an end this near to the folded triangles of the best attempt are released: they need not be
@@ -65,6 +68,7 @@ struct Grid_map_situation
   bool is_simple = true;                  ///< whether its quads form a mesh, if no triangle is folded
   std::size_t quads = 0;                  ///< of its mesh, if no triangle is folded
   double relative_length = 1;             ///< of its plan
+  bool frees_singularities = false;       ///< of the plan of its field
   Cross_field_method method = Cross_field_method::POLISHED; ///< of its field
   /// @}
 };
@@ -90,6 +94,7 @@ struct Grid_map_plan_rule
 - "as requested": the field and the length that were asked for.
 - "other length": the same field for another length, drawn by the random seed, where the integers are to blame for
 folded triangles. That can only happen where there is no T-mesh to choose them by, as borders need not be aligned.
+- "more singularities": a `POLISHED` field whose singularities cost nothing, where the seamless map is folded.
 - "other field": a field whose singularities lie elsewhere: of `REPRESENTATION` if `POLISHED` was asked for, else of
 `POLISHED`.
 - "shorter edges", "still shorter edges", "shortest edges": 0.85, 0.7 and 0.5 times the length, where integers are to

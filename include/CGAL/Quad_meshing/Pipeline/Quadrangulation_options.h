@@ -81,6 +81,7 @@ struct Quadrangulation_options
   bool allow_refactorization = true;      ///< whether there may be new factorizations
   /// How much the quads follow the directions in which the surface bends least (`curvature_directions()`), from 0 to 1.
   double curvature_alignment = 1;
+  double singularity_cost = 0.6; ///< what an irregular vertex must save, see `quadrangulate()`
   /// Whether field and map are made on the triangles of the input instead of a working mesh (`make_working_mesh()`).
   bool work_on_input = false;
   Rounding_method rounding_method = Rounding_method::GREEDY; ///< how the integers of the map are chosen

@@ -45,7 +45,9 @@ struct Sparse_vector
 // are P_ef = [e = f] - <y_e, y_f>, y_e = L^-1 B'_e, and y_e is sparse: it lives on the paths of
 // two faces to the root of the elimination tree. So single entries of P cost microseconds.
 //
-// An angle that is given softly is an edge to a face that has it: a further row of B, whose jump does not change.
+// An angle that is given softly is an edge to a face that has it: a further row of B, whose jump does not change. If
+// edges have weights w, the rows of B and c are multiplied by sqrt(w), and so is all that has an index e: a change of
+// the jump by d is one of d sqrt(w), and entries of P belong to residuals times sqrt(w).
 class Dual_laplacian
 {
 public:
@@ -63,14 +65,15 @@ public:
       if(problem.is_inner(e))
       {
         const int i = m_row[problem.first_face(e)], j = m_row[problem.second_face(e)];
+        const double weight = problem.weight(e);
         if(i != -1)
-          entries.emplace_back(i, i, 1.);
+          entries.emplace_back(i, i, weight);
         if(j != -1)
-          entries.emplace_back(j, j, 1.);
+          entries.emplace_back(j, j, weight);
         if(i != -1 && j != -1)
         {
-          entries.emplace_back(i, j, -1.);
-          entries.emplace_back(j, i, -1.);
+          entries.emplace_back(i, j, -weight);
+          entries.emplace_back(j, i, -weight);
         }
       }
     // A component in which nothing is given may be turned as a whole. The unit weight that holds one
@@ -119,7 +122,7 @@ public:
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
       if(m_problem.is_inner(e))
       {
-        const double c = m_problem.residual(e, field);
+        const double c = m_problem.weight(e) * m_problem.residual(e, field);
         const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
         if(i != -1)
           rhs[i] -= c;
@@ -147,15 +150,15 @@ public:
         {
           const int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
           if(i != -1)
-            side(e, i, 1);
+            side(e, i, std::sqrt(m_problem.weight(e)));
           if(j != -1)
-            side(e, j, -1);
+            side(e, j, -std::sqrt(m_problem.weight(e)));
         }
     };
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
-    for_each_free_side([&](int e, int row, int sign) { sums[row] += sign * x[e]; });
+    for_each_free_side([&](int e, int row, double factor) { sums[row] += factor * x[e]; });
     m_cholesky.solve_in_place(sums.data());
-    for_each_free_side([&](int e, int row, int sign) { x[e] -= sign * sums[row]; });
+    for_each_free_side([&](int e, int row, double factor) { x[e] -= factor * sums[row]; });
   }
 
   // The vector y_e.
@@ -170,15 +173,16 @@ public:
     int i = m_row[m_problem.first_face(e)], j = m_row[m_problem.second_face(e)];
     if(i == j) // only if both are -1
       return y;
+    const double root = std::sqrt(m_problem.weight(e));
     if(i != -1)
     {
       i = m_row_of_factor[i];
-      m_work[i] += 1.;
+      m_work[i] += root;
     }
     if(j != -1)
     {
       j = m_row_of_factor[j];
-      m_work[j] -= 1.;
+      m_work[j] -= root;
     }
 
     // Follows the two paths upwards in ascending order of columns until they join and end.

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_meshing/Fields/Field_sectors.h>
 #include <CGAL/Quad_meshing/internal/Indexed_triangle_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -34,8 +35,8 @@ struct Cross_field
 // The residual of an inner edge e with the faces i (of `halfedge_of_edge[e]`) and j (across) is
 //   r_e = angle_i + kappa_e + pi/2 jump_e - angle_j,
 // where kappa_e is the angle between the frames of the faces, and what the sizes turn directions by (`size_turn`);
-// and the energy of a field is the sum of the squared residuals of all inner edges, and of the weighted squared
-// deviations from soft angles.
+// and the energy of a field is the sum of the squared residuals of all inner edges, weighted if there are weights, and
+// of the weighted squared deviations from soft angles.
 struct Field_problem
 {
   const Indexed_triangle_mesh& mesh;
@@ -45,6 +46,7 @@ struct Field_problem
   std::vector<double> given_angle; // per face
   std::vector<double> soft_angle;  // per face: the angle that it should have; empty where none has one
   std::vector<double> soft_weight; // per face: of the squared deviation from it, in units of the residuals
+  std::vector<double> edge_weight; // per edge: of its squared residual; empty where all count the same
   // Per vertex: the target edge length; empty where it is the same everywhere. Then the field is to be smooth in the
   // metric in which all quads have the same size.
   std::vector<double> length;
@@ -91,6 +93,29 @@ struct Field_problem
   {
     return field.angle[first_face(e)] + frames.kappa(e) + quarter_turn * field.period_jump[e] -
            field.angle[second_face(e)];
+  }
+
+  double weight(int e) const { return edge_weight.empty() ? 1. : edge_weight[e]; }
+
+  // Makes the energy that of the surface, whatever its triangles are like: the weight of an edge is its length over the
+  // distance of the two centroids from each other across it, scaled to one for two equilateral triangles.
+  void set_surface_weights()
+  {
+    // Needles, whose centroids nearly coincide, and edges shorter than all the others must not outweigh everything.
+    const double greatest = 10, least = 0.1;
+    auto twice_area = [&](int f)
+    { return std::sqrt(cross_product(mesh.vector(3 * f), mesh.vector(3 * f + 1)).squared_length()); };
+    edge_weight.assign(mesh.number_of_edges(), 1.);
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+    {
+      if(!is_inner(e))
+        continue;
+      const double areas = twice_area(first_face(e)) + twice_area(second_face(e));
+      const double squared_length = mesh.vector(mesh.halfedge_of_edge[e]).squared_length();
+      edge_weight[e] = areas * greatest > std::sqrt(3.) * squared_length
+                         ? (std::max)(least, std::sqrt(3.) * squared_length / areas)
+                         : greatest;
+    }
   }
 
   // The target edge length at a vertex, or the one given where it is constant.
@@ -154,7 +179,7 @@ struct Field_problem
       if(is_inner(e))
       {
         const double r = residual(e, field);
-        sum += r * r;
+        sum += weight(e) * r * r;
       }
     for(std::size_t f = 0; f < soft_weight.size(); ++f)
       if(soft_weight[f] > 0)

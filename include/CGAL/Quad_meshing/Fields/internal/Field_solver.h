@@ -64,7 +64,7 @@ public:
     , m_progress(progress)
     , m_laplacian(problem, progress)
     , m_polish(problem, m_laplacian, progress)
-    , m_costs(singularity_costs(problem, options.target_edge_length))
+    , m_costs(singularity_costs(problem, options.target_edge_length, options.singularity_cost))
   {
   }
 
@@ -92,7 +92,8 @@ private:
                is_for_quads = m_options.target_edge_length > 0;
     m_progress.begin_part(start_end);
     std::unique_ptr<Jump_annealing> anneal;
-    if(polished && !is_for_quads && m_problem.soft_weight.empty() && m_problem.prescribed_quads.empty())
+    if(polished && !is_for_quads && m_problem.soft_weight.empty() && m_problem.prescribed_quads.empty() &&
+       m_options.singularity_cost == 0)
     {
       anneal.reset(new Jump_annealing(m_problem, m_laplacian));
       if(!anneal->is_affordable())
@@ -101,7 +102,7 @@ private:
 
     if(polished || m_options.method == Cross_field_method::REPRESENTATION)
     {
-      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), !polished, m_progress)(field.angle))
+      if(!Representation_field(m_problem, number_of_clusters(anneal != nullptr), m_progress)(field.angle))
         return Cross_field_status::NUMERICAL_FAILURE;
       round_jumps(m_problem, field);
     }

@@ -40,7 +40,8 @@ public:
   struct Candidate
   {
     int edge = -1;
-    double residual = 0;
+    double residual = 0;                        // times the root
+    double root = 1;                            // of the weight of the edge
     double self = 1;                            // P_ee
     std::vector<std::pair<int, double>> others; // candidates around and the entries of P, strong ones first
     int strong = 0;                             // the number of strong ones: moves of two pay only with these
@@ -83,12 +84,13 @@ public:
         m_candidate_of_edge[e] = size();
         m_candidates.emplace_back();
         m_candidates.back().edge = e;
+        m_candidates.back().root = std::sqrt(m_problem.weight(e));
         m_half_column.push_back(m_laplacian.half_column(e));
         if(!steps.go_further())
           break;
       }
     for(Candidate& c : m_candidates)
-      c.residual = m_problem.residual(c.edge, field);
+      c.residual = c.root * m_problem.residual(c.edge, field);
     for(int i = first_new; i < size() && steps.go_further(); ++i)
       compute_entries(i);
   }
@@ -96,16 +98,18 @@ public:
   // How the energy changes if the jump of a candidate does.
   double energy_change(int i, int by) const
   {
-    return quarter_turn * (quarter_turn * m_candidates[i].self + 2 * by * m_candidates[i].residual);
+    const double step = quarter_turn * m_candidates[i].root;
+    return step * (step * m_candidates[i].self + 2 * by * m_candidates[i].residual);
   }
 
   // Brings the residuals up to date after a change of the jump of a candidate, those of far candidates excepted.
   void change_jump(int i, int by)
   {
     Candidate& c = m_candidates[i];
-    c.residual += quarter_turn * by * c.self;
+    const double step = by * quarter_turn * c.root;
+    c.residual += step * c.self;
     for(const auto& other : c.others)
-      m_candidates[other.first].residual += quarter_turn * by * other.second;
+      m_candidates[other.first].residual += step * other.second;
   }
 
   std::vector<double> residuals() const
@@ -131,17 +135,18 @@ public:
     {
       const int e = step.first;
       edges.push_back(e);
-      change += quarter_turn * (quarter_turn + 2 * step.second * m_problem.residual(e, field));
+      change += m_problem.weight(e) * quarter_turn * (quarter_turn + 2 * step.second * m_problem.residual(e, field));
     }
     for(const std::pair<int, int>& step : path)
     {
       const int c = m_candidate_of_edge[step.first];
+      const double by = step.second * std::sqrt(m_problem.weight(step.first));
       const Sparse_vector y = c == -1 ? m_laplacian.half_column(step.first) : m_half_column[c];
       for(std::size_t p = 0; p < y.index.size(); ++p)
-        m_dense[y.index[p]] += step.second * y.value[p];
+        m_dense[y.index[p]] += by * y.value[p];
       rows.insert(rows.end(), y.index.begin(), y.index.end());
       if(c != -1)
-        m_candidates[c].residual += quarter_turn * step.second;
+        m_candidates[c].residual += quarter_turn * by;
     }
     for(int c : candidates_around(edges))
       m_candidates[c].residual -= quarter_turn * product(m_half_column[c]);

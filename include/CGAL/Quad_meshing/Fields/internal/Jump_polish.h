@@ -172,7 +172,7 @@ private:
 
   bool is_promising(int i) const
   {
-    return std::abs(m_candidates[i].residual) > Jump_candidates::smallest_residual ||
+    return std::abs(m_candidates[i].residual) > Jump_candidates::smallest_residual * m_candidates[i].root ||
            m_quads->is_costly(m_candidates[i].edge);
   }
 
@@ -209,8 +209,6 @@ private:
 
   Move best_move(int i)
   {
-    const double coupling = 2 * quarter_turn * quarter_turn;
-
     Move best;
     best.change = -smallest_gain;
     const Jump_candidates::Candidate& c = m_candidates[i];
@@ -234,11 +232,12 @@ private:
         const int j = other.first;
         const Jump_candidates::Candidate& d = m_candidates[j];
         const bool may_pay = is_costly || m_quads->is_costly(d.edge);
+        const double step = quarter_turn * c.root, step2 = quarter_turn * d.root;
         // If the second change does not gain alone, only what couples both can pay for the first.
-        if(coupling * std::abs(other.second) < alone && !may_pay)
+        if(2 * step * step2 * std::abs(other.second) < alone && !may_pay)
           continue;
-        const double both = alone + quarter_turn * quarter_turn * d.self;
-        const double slope = 2 * quarter_turn * (d.residual + quarter_turn * by * other.second);
+        const double both = alone + step2 * step2 * d.self;
+        const double slope = 2 * step2 * (d.residual + step * by * other.second);
         const int by2 = slope > 0 ? -1 : 1; // the better one
         const double energy = both + slope * by2;
         if(energy >= best.change && !may_pay)

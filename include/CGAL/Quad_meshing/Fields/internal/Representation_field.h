@@ -33,9 +33,7 @@ namespace internal {
 // given, their harmonic extension solves one linear system; a component without any takes the eigenvector of the
 // smallest eigenvalue, by inverse iteration.
 //
-// With all weights one, the energy is that of the period jumps [Bom12, 8.2]. With w the length of an edge over the
-// distance of the two centroids from each other across it, it approaches that of the surface, whatever the triangles
-// are like.
+// With all weights one, the energy is that of the period jumps [Bom12, 8.2].
 //
 // The field is a start for a local search, so it need not be exact: it is computed for clusters of
 // faces, in each of which it is parallel along a tree (the Galerkin method), and then smoothed on the faces.
@@ -43,16 +41,12 @@ class Representation_field
 {
 public:
   // With at least as many clusters as faces the field is exact.
-  Representation_field(const Field_problem& problem, int number_of_clusters, bool has_surface_weights,
-                       Stage_progress& progress)
+  Representation_field(const Field_problem& problem, int number_of_clusters, Stage_progress& progress)
     : m_problem(problem)
     , m_mesh(problem.mesh)
     , m_progress(progress)
     , m_cluster_size((std::max)(1, problem.mesh.number_of_faces() / number_of_clusters))
-    , m_weight(problem.mesh.number_of_edges(), 1.)
   {
-    if(has_surface_weights)
-      set_surface_weights();
   }
 
   // Sets the angles of all faces. Returns false if a factorization fails. If the visitor stops it, the angles are of no
@@ -72,28 +66,6 @@ public:
 private:
   typedef std::complex<double> Complex;
   typedef Eigen::Matrix<Complex, Eigen::Dynamic, 1> Vector;
-
-  // The weight of two equilateral triangles is scaled to one.
-  void set_surface_weights()
-  {
-    // Needles, whose centroids nearly coincide, and edges shorter than all the others must not outweigh everything.
-    const double greatest = 10, least = 0.1;
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-    {
-      if(!m_problem.is_inner(e))
-        continue;
-      const double areas = twice_area(m_problem.first_face(e)) + twice_area(m_problem.second_face(e));
-      const double squared_length = m_mesh.vector(m_mesh.halfedge_of_edge[e]).squared_length();
-      m_weight[e] = areas * greatest > std::sqrt(3.) * squared_length
-                      ? (std::max)(least, std::sqrt(3.) * squared_length / areas)
-                      : greatest;
-    }
-  }
-
-  double twice_area(int f) const
-  {
-    return std::sqrt(CGAL::cross_product(m_mesh.vector(3 * f), m_mesh.vector(3 * f + 1)).squared_length());
-  }
 
   // exp(4 i kappa) across halfedge h, from its face to the opposite one.
   Complex transport(int h) const
@@ -153,7 +125,7 @@ private:
       const int f = m_problem.first_face(e), g = m_problem.second_face(e);
       const int i = m_cluster[f], j = m_cluster[g];
       const Complex w = transport(m_mesh.halfedge_of_edge[e]) * m_phase[f], v = m_phase[g];
-      const double weight = m_weight[e];
+      const double weight = m_problem.weight(e);
       if(i == j)
       {
         if(i != -1)
@@ -231,7 +203,7 @@ private:
     const int sweeps = 20;
     std::vector<Complex> across(m_mesh.number_of_edges()); // weighted
     for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      across[e] = m_weight[e] * transport(m_mesh.halfedge_of_edge[e]);
+      across[e] = m_problem.weight(e) * transport(m_mesh.halfedge_of_edge[e]);
     for(int sweep = 0; sweep < sweeps && m_progress.go_further(); ++sweep)
       for(int i = 0; i < nf; ++i)
       {
@@ -252,7 +224,7 @@ private:
           const int e = m_mesh.edge_of[h];
           const Complex& w = across[e];
           sum += (m_mesh.halfedge_of_edge[e] == h ? std::conj(w) : w) * m_z[m_mesh.opposite[h] / 3];
-          degree += m_weight[e];
+          degree += m_problem.weight(e);
         }
         if(degree > 0)
           m_z[f] = sum / degree;
@@ -263,7 +235,6 @@ private:
   const Indexed_triangle_mesh& m_mesh;
   Stage_progress& m_progress;
   const int m_cluster_size;
-  std::vector<double> m_weight; // per edge
   std::vector<int> m_cluster;   // per face, -1 if its angle is given
   std::vector<Complex> m_phase; // per face: z = phase * z of the cluster
   std::vector<int> m_component_of_cluster;

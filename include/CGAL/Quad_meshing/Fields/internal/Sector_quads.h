@@ -31,15 +31,15 @@ class Sector_quads
 public:
   typedef std::vector<int> State;
 
-  // In units of the energy, `singularity_cost` is, per vertex, what a singularity there costs, and `doublet_cost` what
-  // every quad less than three costs at a vertex without aligned edges.
+  // In units of the energy, `singularity_cost` is, per vertex, what every quad too many or too few costs there, and
+  // `doublet_cost` what every quad less than three costs besides, at a vertex without aligned edges.
   Sector_quads(const Field_problem& problem, const Cross_field& field, const std::vector<double>& singularity_cost,
                double doublet_cost)
     : m_problem(&problem)
     , m_singularity_cost(singularity_cost)
     , m_doublet_cost(doublet_cost)
     , m_may_cost(doublet_cost > 0 || !problem.prescribed_quads.empty() ||
-                 std::any_of(singularity_cost.begin(), singularity_cost.end(), [](double c) { return c > 0; }))
+                 std::any_of(singularity_cost.begin(), singularity_cost.end(), [](double c) { return c != 0; }))
   {
     set_state(quads_of_sectors(problem.mesh, problem.frames, problem.aligned, problem.sectors,
                                [&](int e) { return problem.turn(e, field); }));
@@ -52,7 +52,7 @@ public:
     m_valence.clear();
     m_costs.resize(s.size());
     for(std::size_t i = 0; i < s.size(); ++i)
-      m_costs[i] = cost_of(static_cast<int>(i), s[i]) > 0;
+      m_costs[i] = cost_of(static_cast<int>(i), s[i]) != 0;
   }
 
   double cost() const
@@ -184,7 +184,7 @@ private:
     m_quads[s] += by;
     if(!m_valence.empty())
       m_valence[m_problem->sectors.vertex[s]] += by;
-    m_costs[s] = cost_of(s, m_quads[s]) > 0;
+    m_costs[s] = cost_of(s, m_quads[s]) != 0;
   }
 
   bool is_empty(int s, int k) const { return (m_problem->sectors.bounded[s] || m_problem->sectors.closed[s]) && k < 1; }
@@ -198,7 +198,7 @@ private:
       return prescription_cost * std::abs(k - prescribed);
     if(k == 4)
       return 0;
-    return m_singularity_cost[m_problem->sectors.vertex[s]] + (k < 3 ? m_doublet_cost * (3 - k) : 0);
+    return std::abs(k - 4) * m_singularity_cost[m_problem->sectors.vertex[s]] + (k < 3 ? m_doublet_cost * (3 - k) : 0);
   }
 
   // A change of the jump of e by one takes a quad here ...

@@ -19,17 +19,18 @@ namespace CGAL {
 namespace Quad_meshing {
 namespace internal {
 
-// What a singularity costs at every vertex, in units of the energy: something near aligned edges
-// but not on them, where it would share a coordinate with the edge after rounding, and nothing
-// elsewhere. Near is less than half the target edge length, measured along mesh edges and across
-// the faces at the aligned edges.
-inline std::vector<double> singularity_costs(const Field_problem& problem, double target_edge_length)
+// What a singularity costs at every vertex, in units of the energy, besides what it adds to the energy:
+// `singularity_cost`, and something more near aligned edges but not on them, where it would share a coordinate with the
+// edge after rounding. Near is less than half the target edge length, measured along mesh edges and across the faces at
+// the aligned edges.
+inline std::vector<double> singularity_costs(const Field_problem& problem, double target_edge_length,
+                                             double singularity_cost)
 {
   // A singularity costs about 0.5 of smoothness energy; so much is worth avoiding the trap.
   const double trap_cost = 0.3;
 
   const Indexed_triangle_mesh& m = problem.mesh;
-  std::vector<double> cost(m.number_of_vertices(), 0.);
+  std::vector<double> cost(m.number_of_vertices(), singularity_cost);
   if(!(target_edge_length > 0))
     return cost;
   const double reach = 0.5; // in target edge lengths
@@ -61,7 +62,7 @@ inline std::vector<double> singularity_costs(const Field_problem& problem, doubl
   for(double d; front.pop(v, d);)
   {
     if(d > 0)
-      cost[v] = trap_cost;
+      cost[v] += trap_cost;
     for(int h : around[v])
       reach_vertex(m.source(h) == v ? m.target(h) : m.source(h),
                    d + relative(std::sqrt(m.vector(h).squared_length()), v));

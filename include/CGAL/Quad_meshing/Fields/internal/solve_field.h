@@ -24,6 +24,7 @@ struct Field_options
 {
   Cross_field_method method = Cross_field_method::POLISHED;
   double target_edge_length = 0; // 0: none
+  double singularity_cost = 0;   // see `smooth_cross_field()`
   int number_of_bound_rounds = 0;
   // Of greedy rounding, with the defaults of `solve_mixed_integer()`.
   double rounding_tolerance = 3e-4;

@@ -116,7 +116,7 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::round(double r
   if(!d.progress.go_further(rounded))
     return Integer_grid_map_status::STOPPED;
   d.progress.begin_part(1.);
-  if(repairs || !solver.folded_before_rounding.empty())
+  if(repairs)
     solver.remove_fold_overs(d.options.stiffening_iterations, d.options.anisotropy_weight);
   solver.make_exact();
   if(!d.progress.go_further(1.))

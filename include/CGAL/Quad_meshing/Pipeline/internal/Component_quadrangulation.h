@@ -212,9 +212,10 @@ private:
       parameters::smoothing_iterations(m_options.smoothing_iterations)
         .edge_is_constrained_map(quads->is_feature)
         .visitor(std::ref(m_visitor)),
-      [&](const Indexed_quad_mesh& m) {
-        return Smoothing_reference(m,
-                                   smoothing_reference(parameters::edge_is_constrained_map(m_work.input().is_feature)));
+      [&](const Indexed_quad_mesh& m)
+      {
+        return Smoothing_reference(
+          m, m_smoothing.reference(parameters::edge_is_constrained_map(m_work.input().is_feature)));
       },
       structure);
     quads->mesh.collect_garbage();

@@ -26,11 +26,12 @@ namespace internal {
 struct Field_attempt
 {
   Cross_field_method method = Cross_field_method::REPRESENTATION;
-  std::vector<char> is_feature; // per edge
-  std::vector<double> angle;    // per face
-  std::vector<int> period_jump; // per edge
-  std::vector<int> index;       // per vertex
-  double released_length = 0;   // of detected feature edges that it need not follow
+  bool frees_singularities = false; // they cost nothing but energy
+  std::vector<char> is_feature;     // per edge
+  std::vector<double> angle;        // per face
+  std::vector<int> period_jump;     // per edge
+  std::vector<int> index;           // per vertex
+  double released_length = 0;       // of detected feature edges that it need not follow
   int singularities = 0, integers = 0;
   double energy = 0;
   std::shared_ptr<Seamless_map> map; // null until it is needed

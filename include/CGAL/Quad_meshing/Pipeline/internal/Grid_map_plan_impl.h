@@ -44,6 +44,17 @@ inline Optional_plan plan_other_length(const Grid_map_situation& s)
   return plan;
 }
 
+// Where the surface bends much, a map with few singularities is so distorted that it folds.
+inline Optional_plan plan_more_singularities(const Grid_map_situation& s)
+{
+  if(!is_folded(s) || s.folded_before_rounding == 0 || s.requested_method != Cross_field_method::POLISHED)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.new_field = s.requested_method;
+  plan.frees_singularities = true;
+  return plan;
+}
+
 inline Optional_plan plan_other_field(const Grid_map_situation& s)
 {
   if(!is_folded(s))
@@ -72,6 +83,7 @@ inline Optional_plan plan_release(const Grid_map_situation& s, double radius)
     return std::nullopt;
   Grid_map_plan plan;
   plan.new_field = s.method;
+  plan.frees_singularities = s.frees_singularities;
   plan.release_radius = radius;
   return plan;
 }
@@ -83,6 +95,7 @@ inline Optional_plan plan_release_curves(const Grid_map_situation& s, double rad
     return std::nullopt;
   Grid_map_plan plan;
   plan.new_field = s.method;
+  plan.frees_singularities = s.frees_singularities;
   plan.release_radius = radius;
   plan.releases_curves = true;
   return plan;
@@ -125,6 +138,7 @@ CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans(
   { return [relative_length](const Grid_map_situation& s) { return internal::plan_finer(s, relative_length); }; };
   return { { "as requested", internal::plan_as_requested },
            { "other length", internal::plan_other_length },
+           { "more singularities", internal::plan_more_singularities },
            { "other field", internal::plan_other_field },
            { "shorter edges", shorter(0.85) },
            { "still shorter edges", shorter(0.7) },

@@ -154,6 +154,7 @@ private:
       s.quads = best->number_of_quads();
       s.relative_length = best->relative_length;
       s.method = best->field->method;
+      s.frees_singularities = best->field->frees_singularities;
     }
     return s;
   }
@@ -173,7 +174,7 @@ private:
           return nullptr;
         released += plan.releases_curves ? 0 : length; // curves of the user have an answer of their own
       }
-      field = field_with_room(*plan.new_field, is_feature, released);
+      field = field_with_room(plan, is_feature, released);
     }
     return field ? map(field, plan.relative_length) : nullptr;
   }
@@ -211,12 +212,12 @@ private:
   // The work for a map grows with the cube of the number of singularities, and with less than four quads for each there
   // is hardly one to be found: then the feature edges are given up, all of them. Few singularities may be as close as
   // they like.
-  std::shared_ptr<Field_attempt> field_with_room(Cross_field_method method, const std::vector<char>& is_feature,
+  std::shared_ptr<Field_attempt> field_with_room(const Grid_map_plan& plan, const std::vector<char>& is_feature,
                                                  double released)
   {
-    std::shared_ptr<Field_attempt> field = compute_field(method, is_feature, released);
+    std::shared_ptr<Field_attempt> field = compute_field(plan, is_feature, released);
     if(field && !has_room(*field) && m_options.releasable_length > released)
-      field = compute_field(method, kept_features(), m_options.releasable_length);
+      field = compute_field(plan, kept_features(), m_options.releasable_length);
     if(!field || has_room(*field))
       return field;
     figures.singularities = field->singularities;
@@ -240,12 +241,13 @@ private:
     message = m;
   }
 
-  std::shared_ptr<Field_attempt> compute_field(Cross_field_method method, const std::vector<char>& is_feature,
+  std::shared_ptr<Field_attempt> compute_field(const Grid_map_plan& plan, const std::vector<char>& is_feature,
                                                double released)
   {
     const Mesh& mesh = m_surface.mesh;
     auto field = std::make_shared<Field_attempt>();
-    field->method = method;
+    field->method = *plan.new_field;
+    field->frees_singularities = plan.frees_singularities;
     field->is_feature = is_feature;
     field->released_length = released;
     field->angle.resize(mesh.number_of_faces());
@@ -258,7 +260,8 @@ private:
                          parameters::target_edge_length(m_options.length)
                            .edge_is_constrained_map(map_of(boost::edge_index, constrained))
                            .align_boundary(m_options.quadrangulation.align_boundary)
-                           .cross_field_method(method)
+                           .cross_field_method(field->method)
+                           .singularity_cost(plan.frees_singularities ? 0. : m_options.quadrangulation.singularity_cost)
                            .rounding_tolerance(m_options.quadrangulation.rounding_tolerance)
                            .gauss_seidel_iterations(m_options.quadrangulation.gauss_seidel_iterations)
                            .conjugate_gradient_iterations(m_options.quadrangulation.conjugate_gradient_iterations)

@@ -40,6 +40,8 @@ inline std::string problem_of_options(const Quadrangulation_options& options)
     return "The anisotropy weight does not lie between 0, exclusive, and 1.";
   if(!(options.curvature_alignment >= 0 && options.curvature_alignment <= 1))
     return "The curvature alignment does not lie between 0 and 1.";
+  if(!(options.singularity_cost >= 0 && std::isfinite(options.singularity_cost)))
+    return "The cost of a singularity is negative or not a number.";
   if(options.number_of_threads == 0)
     return "The number of threads is zero.";
   if(!(options.maximum_running_time > 0))

@@ -52,6 +52,7 @@ inline std::vector<int> indices_of_field(const Quadrangulation_surface& surface,
                                                     .edge_is_constrained_map(of_edges(is_feature))
                                                     .align_boundary(options.align_boundary)
                                                     .cross_field_method(options.cross_field_method)
+                                                    .singularity_cost(options.singularity_cost)
                                                     .face_direction_map(of_faces(directions.direction))
                                                     .face_direction_weight_map(of_faces(directions.weight))
                                                     .face_sizing_map(surface.length)
