@@ -366,6 +366,7 @@ void test_soft_directions()
   namespace I = CGAL::Quad_meshing::internal;
   const I::Indexed_triangle_mesh m = I::make_indexed_triangle_mesh(tm, params::default_values());
   I::Field_problem problem(m);
+  problem.set_surface_weights();
   for(Face f : tm.faces())
     I::constrain_face(problem, static_cast<int>(f), direction[f], 0.1);
   I::Cross_field field;

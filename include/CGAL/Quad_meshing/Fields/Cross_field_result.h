@@ -83,7 +83,7 @@ struct Cross_field_result
   Cross_field_status status = Cross_field_status::SUCCESS;
   /// the same as a sentence that names what is at fault
   std::string message;
-  /// the smoothness energy, the sum of squared angle differences across inner edges
+  /// the sum of squared angle differences across inner edges; for `REPRESENTATION`, and for quads, with surface weights
   double energy = 0;
   /// a proven lower bound of the energy of all cross fields with the same given directions; 0 unless it was asked for
   double lower_bound = 0;

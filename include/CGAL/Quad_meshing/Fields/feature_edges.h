@@ -30,10 +30,10 @@ namespace Quad_meshing {
 
 An edge is sharp if the normals of its two faces differ by at least `angle_in_degrees`. On scanned surfaces this
 finds hundreds of short creases that are noise, and each of them would force the quads around it. With `l` for the
-target edge length, a patch of the surface between sharp edges that is narrower than `l / 4` (twice its area over its
-perimeter) is joined to the neighbor that it bends least to: of the two creases along a sliver one is left. Where two
-sharp sides of a triangle lead a crease to and fro, its third side replaces them if the crease turns less along it,
-though it need not be sharp itself. Then the following pieces of the graph of sharp edges are dropped, repeatedly:
+target edge length, a patch between sharp edges that is narrower than `l / 4` (twice its area over its perimeter) is
+joined to the neighbor that it bends least to, so that one crease is left, unless it is the wall of a thin part. Where
+two sharp sides of a triangle lead a crease to and fro, its third side replaces them if the crease turns less along
+it. Two creases that end at one short blunt edge are joined by it. The following pieces of the graph are dropped:
 - branches that end freely and are shorter than `1.5 l`;
 - components with a free end that are shorter than `25 l`, or than `3 l` if they are nearly straight (the ratio of
   chord to arc below is at least 0.97), and components without a free end that are shorter than `5 l`;

@@ -82,7 +82,7 @@ public:
       return true;
     // What pulls at an irregular vertex around which the map is folded is stronger than its profile, or comes from
     // farther away.
-    const int most_widenings = 3;
+    const int most_widenings = 2;
     const double growth = 2;
     for(int i = 0; i < most_widenings; ++i)
     {
@@ -287,8 +287,8 @@ private:
   Integer_energy m_reduction;
   double m_constant = 0;
   bool m_is_carried = false;
-  // For each of the three repairs: before the rounding, carrying to the integers, after it. Where creases cut nearly
-  // every triangle no amount of work helps.
+  // For each of the two repairs: carrying to the integers, after the rounding. Where creases cut nearly every triangle
+  // no amount of work helps.
   static constexpr double most_operations = 1e10;
 
   // The minimum of the energy without integer conditions. Returns false if it could not be factorized.
@@ -318,7 +318,6 @@ private:
       return false;
     m_constant = energy.constant;
     relaxed_energy = m_reduction.energy(relaxed) + m_constant;
-    m_optimization.operations_left = most_operations;
     return true;
   }
 
@@ -366,6 +365,8 @@ private:
 
   bool untangle_seamless(Eigen::VectorXd& y)
   {
+    const double operations_of_a_try = 1e9; // of maps with wider and wider profiles there may be several
+    m_optimization.operations_left = operations_of_a_try;
     // Translations move everything along the cuts: such steps are costly.
     const int few_rings = 3, more_rings = 6, few_steps = 40;
     return m_optimization.untangle(y, coordinates.is_integer, few_rings) ||
