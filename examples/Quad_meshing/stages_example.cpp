@@ -60,6 +60,8 @@ int main(int argc, char* argv[])
     std::vector<double> weights(s.mesh.number_of_faces(), 0);
     const auto weight = boost::make_iterator_property_map(weights.begin(), get(boost::face_index, s.mesh));
     QM::curvature_directions(s.mesh, length, direction, weight, np::edge_is_constrained_map(s.is_feature));
+    for(double& w : weights)
+      w *= 2; // as much as directions count for quadrangulate()
 
     // A cross field, a map to the plane along it, and the quads that the integer grid cuts the surface into. Plans say
     // what else is tried where these are not good enough; `cross_field_example`, `integer_grid_map_example` and

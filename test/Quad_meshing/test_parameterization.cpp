@@ -944,7 +944,7 @@ void test_stiffening()
   QM::internal::Stiffening flat(coordinates, s.solver->faces);
   flat.update_weights(s.solver->relaxed);
   for(double w : flat.weight)
-    assert(std::abs(w - 1) < 1e-9);
+    assert(std::abs(w - 1) < 1e-6);
   // One inner vertex moved, a little and so far that triangles fold over: the formula of [Bom12, 8.4], with two steps
   // of smoothing, by singular values.
   int moved = -1;
@@ -991,7 +991,7 @@ void test_stiffening()
       weight.swap(smooth);
     }
     for(int f = 0; f < n; ++f)
-      assert(std::abs(stiffening.weight[f] - weight[f]) < 1e-9);
+      assert(std::abs(stiffening.weight[f] - weight[f]) < 1e-5 * weight[f]);
     assert(*std::max_element(weight.begin(), weight.end()) > 1.05);
   }
 }

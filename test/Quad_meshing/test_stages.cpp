@@ -69,6 +69,8 @@ Prepared prepare(QM::Quadrangulation_surface& s, double length)
   p.direction = s.mesh.add_property_map<Mesh::Face_index, std::optional<Kernel::Vector_3>>("f:direction").first;
   p.weight = s.mesh.add_property_map<Mesh::Face_index, double>("f:weight", 0).first;
   QM::curvature_directions(s.mesh, length, p.direction, p.weight, parameters::edge_is_constrained_map(s.is_feature));
+  for(Mesh::Face_index f : s.mesh.faces())
+    p.weight[f] *= 2; // as much as they count for quadrangulate()
   return p;
 }
 
@@ -129,6 +131,7 @@ Mesh by_functions(const Mesh& tm, double number_of_quads)
                                     parameters::target_edge_length(length)
                                       .face_direction_map(p.direction)
                                       .face_direction_weight_map(p.weight)
+                                      .singularity_cost(QM::Quadrangulation_options().singularity_cost)
                                       .edge_is_constrained_map(s.is_feature))
                .is_valid());
       QM::Seamless_map map(s.mesh, s.angle, s.period_jump, s.index, np);

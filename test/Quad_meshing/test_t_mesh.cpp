@@ -312,14 +312,17 @@ void test_any_start()
   for(const Named_soup& n : surfaces())
   {
     Mapped_surface s(n.soup, n.length);
-    for(int factor : { -2, -1, 0, 3 })
+    for(int factor : { -1, 0, 3 })
     {
       const QM::T_mesh other = s.t_mesh(random.get_double(0.5, 4));
       QM::T_mesh t = s.t_mesh(1);
       for(std::size_t a = 0; a < t.arcs.size(); ++a)
         t.arcs[a].rounded_length = other.arcs.size() == t.arcs.size() ? factor * other.arcs[a].rounded_length : 0;
       std::vector<int> lengths;
-      assert(QM::quantize_t_mesh(t, lengths).is_valid);
+      const QM::T_mesh_quantization_result r = QM::quantize_t_mesh(t, lengths);
+      if(!r.is_valid)
+        std::cout << n.name << " times " << factor << ": " << r.message << std::endl;
+      assert(r.is_valid);
       check_quads(s, t, lengths);
     }
   }

@@ -92,9 +92,10 @@ public:
   }
 
   // Takes walks that lessen the energy until none is found. Where a search has found none, another one is no use before
-  // a patch changes that it has seen; bounds only rise.
+  // a patch changes that it has seen.
   void improve()
   {
+    std::fill(m_is_open.begin(), m_is_open.end(), 1); // bounds may have changed
     bool is_better = true;
     for(int sweep = 0; is_better && sweep < most_sweeps; ++sweep)
     {

@@ -241,6 +241,15 @@ private:
     message = m;
   }
 
+  // Lengths that change need singularities.
+  double singularity_cost(const Grid_map_plan& plan) const
+  {
+    for(Mesh::Face_index f : m_surface.mesh.faces())
+      if(m_surface.length[f] != m_surface.length[*m_surface.mesh.faces().begin()])
+        return 0;
+    return plan.frees_singularities ? 0 : m_options.quadrangulation.singularity_cost;
+  }
+
   std::shared_ptr<Field_attempt> compute_field(const Grid_map_plan& plan, const std::vector<char>& is_feature,
                                                double released)
   {
@@ -261,7 +270,7 @@ private:
                            .edge_is_constrained_map(map_of(boost::edge_index, constrained))
                            .align_boundary(m_options.quadrangulation.align_boundary)
                            .cross_field_method(field->method)
-                           .singularity_cost(plan.frees_singularities ? 0. : m_options.quadrangulation.singularity_cost)
+                           .singularity_cost(singularity_cost(plan))
                            .rounding_tolerance(m_options.quadrangulation.rounding_tolerance)
                            .gauss_seidel_iterations(m_options.quadrangulation.gauss_seidel_iterations)
                            .conjugate_gradient_iterations(m_options.quadrangulation.conjugate_gradient_iterations)
