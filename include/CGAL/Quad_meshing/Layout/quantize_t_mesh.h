@@ -81,9 +81,7 @@ inline T_mesh_quantization_result quantize_t_mesh(const T_mesh& t, std::vector<i
   result.rounded_energy = search.energy();
   // A bound on the bounds: patches of three by three quads have no two vertices that are joined twice. Each round
   // lengthens one arc at least.
-  // From lengths that are far from rounded ones it can take longer arcs.
-  int longest_bound = 4;
-  const int longest_of_all = 32;
+  const int longest_bound = 4;
   while(true)
   {
     if(!search.satisfy_bounds())
@@ -108,9 +106,7 @@ inline T_mesh_quantization_result quantize_t_mesh(const T_mesh& t, std::vector<i
         at_least[a] = (std::min)(longest_bound, (std::max)(at_least[a], lengths[a]) + 1);
         is_longer = true;
       }
-    if(!is_longer && longest_bound < longest_of_all)
-      longest_bound *= 2;
-    else if(!is_longer)
+    if(!is_longer)
     {
       result.message = "The quads of the T-mesh form no mesh.";
       return result;
