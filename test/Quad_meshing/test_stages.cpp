@@ -326,14 +326,6 @@ test_meshes::Soup star_bicone(std::size_t n, double height)
   return soup;
 }
 
-// At 300 quads the map of the field that is asked for is folded once its integers are chosen; shorter edges unfold it
-// with 410 quads, the other field with 349.
-void test_plan_of_another_field() { check_plan("other field", mesh_of(star_bicone(5, 0.5)), { 300 }); }
-
-// Where the border need not be aligned, the creases of a coarse star are folded with shorter edges, too; around the
-// folds 72 percent of their length are released, all of it without this plan.
-void test_plans_of_release() { check_plan("release within 2", mesh_of(star_cone(6, 0.6)), { 40, 0, 0, false }); }
-
 // Eight curves that miss one point of a square by some 1e-5: they cut slivers there that no quads fit into.
 void test_plan_of_released_curves()
 {
@@ -421,8 +413,6 @@ int main(int argc, char** argv)
                      { "data", test_data },
                      { "plans_for_coarse_grids", test_plans_for_coarse_grids },
                      { "narrow_tube", test_narrow_tube },
-                     { "plan_of_another_field", test_plan_of_another_field },
-                     { "plans_of_release", test_plans_of_release },
                      { "plan_of_released_curves", test_plan_of_released_curves },
                      { "plans_for_the_number", test_plans_for_the_number },
                      { "random_seed", test_random_seed },
