@@ -298,34 +298,6 @@ void test_narrow_tube()
   }
 }
 
-// A cone on a star with n long and n short rays, without its bottom. Creases meet at the tip in narrow angles.
-test_meshes::Soup star_cone(std::size_t n, double height)
-{
-  const double radius = 0.5, short_radius = 0.2;
-  test_meshes::Soup soup;
-  soup.points = { Kernel::Point_3(0, 0, height) };
-  for(std::size_t i = 0; i < 2 * n; ++i)
-  {
-    const double angle = CGAL_PI * static_cast<double>(i) / static_cast<double>(n);
-    const double r = i % 2 == 0 ? radius : short_radius;
-    soup.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
-  }
-  for(std::size_t i = 0; i < 2 * n; ++i)
-    soup.triangles.push_back({ { 0, 1 + i, 1 + (i + 1) % (2 * n) } });
-  return soup;
-}
-
-// The same with its mirror image below.
-test_meshes::Soup star_bicone(std::size_t n, double height)
-{
-  test_meshes::Soup soup = star_cone(n, height);
-  const std::size_t bottom = soup.points.size(), sides = soup.triangles.size();
-  soup.points.emplace_back(0, 0, -height);
-  for(std::size_t i = 0; i < sides; ++i)
-    soup.triangles.push_back({ { bottom, soup.triangles[i][2], soup.triangles[i][1] } });
-  return soup;
-}
-
 // Eight curves that miss one point of a square by some 1e-5: they cut slivers there that no quads fit into.
 void test_plan_of_released_curves()
 {
