@@ -345,7 +345,7 @@ void test_too_many_singularities()
   {
     Mesh qm;
     const Result r = QM::quadrangulate(test_meshes::make_mesh(test_meshes::perturbed(test_meshes::icosphere(4), 0.1)),
-                                       qm, parameters::sharpness_angle(angle).singularity_cost(0.));
+                                       qm, parameters::singularity_cost(0.).sharpness_angle(angle));
     std::cout << "noise: " << r.message << std::endl;
     assert(r.status == Status::FAILED && qm.is_empty() && r.singularities > 1200 && r.parameterization_attempts == 0);
     assert(r.released_feature_share == (r.feature_edges > 0 ? 1 : 0));
