@@ -82,7 +82,7 @@ public:
       return true;
     // What pulls at an irregular vertex around which the map is folded is stronger than its profile, or comes from
     // farther away.
-    const int most_widenings = 2;
+    const int most_widenings = 2; // fandisk and couplingdown at 16000 quads need no third one
     const double growth = 2;
     for(int i = 0; i < most_widenings; ++i)
     {
