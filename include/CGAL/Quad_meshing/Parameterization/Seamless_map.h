@@ -82,6 +82,11 @@ public:
   /// the map. It can be far from the area of the surface in such quads, where the field bends much.
   double number_of_quads() const { return m_solver->area(); }
 
+  /// returns the mean symmetric Dirichlet energy \f$ (|J|^2 + |J^{-1}|^2) / 4 \f$ over the surface, of the multiple of
+  /// the map for which it is least; \f$ J \f$ is the Jacobian in target edge lengths. It is 1 if all quads are squares
+  /// of one size, and grows as they are stretched, sheared or of different sizes.
+  double distortion() const { return m_solver->distortion(); }
+
   /*!
   makes an integer-grid map of a multiple of the map, see `integer_grid_map()`.
 

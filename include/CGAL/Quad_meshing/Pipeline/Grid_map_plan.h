@@ -35,6 +35,8 @@ struct Grid_map_plan
   /// Whether singularities of the new field cost nothing but what they add to its energy
   /// (`Quadrangulation_options::singularity_cost`).
   bool frees_singularities = false;
+  /// Whether the new field is of use only if its seamless map is markedly less distorted than that of the best attempt.
+  bool evens_quads = false;
   /// The length of quad edges over the one asked for.
   double relative_length = 1;
   /// Feature edges with an end this near to the folded triangles of the best attempt are released: they need not be
@@ -59,12 +61,15 @@ struct Grid_map_situation
   bool has_curves = false;
   /// The number of quads that was asked for; 0 if an edge length was.
   double requested_quads = 0;
+  /// Whether singularities cost something (`Quadrangulation_options::singularity_cost`).
+  bool has_singularity_cost = false;
 
   /// \name The Best Attempt So Far
   /// @{
   bool has_attempt = false;               ///< whether there is one; the members below have no meaning else
   std::size_t folded_triangles = 0;       ///< of its map
   std::size_t folded_before_rounding = 0; ///< of its seamless map, before integers were chosen
+  double distortion = 1;                  ///< of its seamless map, see `Seamless_map::distortion()`
   bool is_simple = true;                  ///< whether its quads form a mesh, if no triangle is folded
   std::size_t quads = 0;                  ///< of its mesh, if no triangle is folded
   double relative_length = 1;             ///< of its plan
@@ -105,6 +110,8 @@ folded triangles.
 answer names them.
 - "finer", "still finer": where the map has no folded triangle, but its grid is too coarse for a mesh, and there is no
 T-mesh.
+- "more even quads": a `POLISHED` field whose singularities cost nothing, where the seamless map is distorted much; it
+is taken if its map is distorted markedly less.
 - "nearer number", "still nearer number": another length where the number of quads is far from the one asked for.
 */
 CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans();

@@ -10,6 +10,7 @@
 #define CGAL_QUAD_MESHING_FIELDS_INTERNAL_FIND_FEATURE_EDGES_IMPL_H
 
 #include <CGAL/Quad_meshing/Fields/internal/Crease_graph.h>
+#include <CGAL/Quad_meshing/Fields/internal/Sharp_bands.h>
 #include <CGAL/Quad_meshing/Fields/internal/bridge_creases.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_feature_edges.h>
 #include <CGAL/Quad_meshing/Fields/internal/find_sharp_edges.h>
@@ -41,7 +42,10 @@ CGAL_QUAD_MESHING_INLINE Feature_edges_result find_feature_edges(const Indexed_t
   // Before, so that a sliver does not part two patches; after, for what is left of narrow patches may run to and fro.
   const bool knows_noise = target_edge_length > 0;
   if(knows_noise)
+  {
+    Sharp_bands(m, angle_in_degrees, target_edge_length).mark(is_sharp);
     Crease_straightening(m, is_sharp).run();
+  }
   result.number_of_dropped_pieces = merge_narrow_patches(m, least_width, is_sharp);
   if(knows_noise)
     Crease_straightening(m, is_sharp).run();

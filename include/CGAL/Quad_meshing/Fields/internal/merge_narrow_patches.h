@@ -157,14 +157,17 @@ private:
     return joined;
   }
 
-  // Whether a patch with these contacts stands between q and another one along it that faces away from q.
+  // Whether a patch with these contacts stands between q and another one along it that faces away from q. At a sliver
+  // that is folded back onto the surface, angles sum up to as much.
   static bool is_thin_wall(const std::map<int, Contact>& contacts, int q)
   {
     const double least_turn = 0.75 * CGAL_PI; // halfway between a chamfer of a right angle and a thin plate
+    const double largest_angle = least_turn;  // halfway between a right angle and a fold
     const double least_relative_length = 0.5; // of the other contact
     const Contact& to_q = contacts.at(q);
     for(const auto& c : contacts)
       if(c.first != q && c.second.length > least_relative_length * to_q.length &&
+         (std::max)(std::abs(c.second.mean_angle()), std::abs(to_q.mean_angle())) < largest_angle &&
          std::abs(c.second.mean_angle() + to_q.mean_angle()) > least_turn)
         return true;
     return false;

@@ -27,6 +27,7 @@
 #include <CGAL/Quad_meshing/internal/run_aside.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +112,23 @@ public:
     for(int f = 0; f < mesh.number_of_faces(); ++f)
       sum += faces.area[f] * faces.jacobian(f, corner_coordinates(coordinates, f, relaxed)).determinant();
     return sum;
+  }
+
+  // The mean of (|J|^2 + |J^-1|^2) / 4 over the surface, for the multiple of the seamless map that has the least: 1 if
+  // it keeps all lengths and angles.
+  double seamless_distortion() const
+  {
+    const double largest = 100; // of a triangle; those at irregular vertices have no bound
+    double area = 0, image = 0, preimage = 0;
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const Eigen::Matrix2d J = faces.jacobian(f, corner_coordinates(coordinates, f, relaxed));
+      const double determinant = J.determinant(), squares = J.squaredNorm();
+      area += faces.area[f];
+      image += faces.area[f] * squares;
+      preimage += faces.area[f] * (squares < largest * square(determinant) ? squares / square(determinant) : largest);
+    }
+    return std::sqrt(image * preimage) / (2 * area);
   }
 
   // Turns the seamless map into that for target edge lengths divided by a factor: a multiple of it.

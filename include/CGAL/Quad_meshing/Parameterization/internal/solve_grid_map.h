@@ -72,6 +72,9 @@ public:
   // The area of the image of the seamless map for the lengths that the problem asks for.
   CGAL_QUAD_MESHING_INLINE double area() const;
 
+  // How far the seamless map is from a similarity, see `Seamless_map::distortion()`.
+  CGAL_QUAD_MESHING_INLINE double distortion() const;
+
   // Rounds a multiple of the seamless map, for these multiples of the lengths, and fills in the figures of the result.
   // Without repairs, it gives up where the integers of the least energy put two things onto each other.
   // `uv` gets the image of the source of every halfedge in the chart of its face, if the status is VALID or FOLDED.

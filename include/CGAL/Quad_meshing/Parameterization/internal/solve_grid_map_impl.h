@@ -44,6 +44,7 @@ struct Grid_map_solver::Data
   std::unique_ptr<Integer_grid_solver> solver;
   double relative_length = 1; // of the seamless map
   double area = 0;            // of its image at first
+  double distortion = 1;
 
   Data(Grid_map_problem&& p, const Grid_map_options& o) : problem(std::move(p)), options(o), progress(visitor) {}
 };
@@ -58,6 +59,8 @@ CGAL_QUAD_MESHING_INLINE Grid_map_solver::Grid_map_solver(Grid_map_solver&& othe
 CGAL_QUAD_MESHING_INLINE Grid_map_solver::~Grid_map_solver() = default;
 
 CGAL_QUAD_MESHING_INLINE double Grid_map_solver::area() const { return m_data->area; }
+
+CGAL_QUAD_MESHING_INLINE double Grid_map_solver::distortion() const { return m_data->distortion; }
 
 CGAL_QUAD_MESHING_INLINE const Indexed_triangle_mesh& Grid_map_solver::mesh() const { return m_data->problem.mesh; }
 
@@ -88,6 +91,7 @@ CGAL_QUAD_MESHING_INLINE Integer_grid_map_status Grid_map_solver::solve(Any_visi
   if(!is_solved)
     return Integer_grid_map_status::NUMERICAL_FAILURE;
   d.area = d.solver->seamless_area();
+  d.distortion = d.solver->seamless_distortion();
   result.relaxed_energy = d.solver->relaxed_energy;
   result.folded_before_rounding.assign(d.solver->folded_before_rounding.begin(),
                                        d.solver->folded_before_rounding.end());

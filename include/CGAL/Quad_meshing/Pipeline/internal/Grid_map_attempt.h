@@ -43,6 +43,7 @@ struct Grid_map_attempt
 {
   std::shared_ptr<Field_attempt> field;
   double relative_length = 1;                      // of its plan
+  bool evens_quads = false;                        // its map is markedly less distorted than that of the attempt before
   std::vector<Quadrangulation_kernel::Point_2> uv; // per halfedge
   std::vector<Quadrangulation_mesh::Face_index> folded, folded_before_rounding;
   int integers = 0;
@@ -59,13 +60,16 @@ struct Grid_map_attempt
 
   std::size_t number_of_quads() const { return quads ? quads->mesh.number_of_faces() : 0; }
 
-  // Folded triangles are worst, then quads that form no mesh, then a number of quads that is not what was asked for.
+  // Folded triangles are worst, then quads that form no mesh, then a distorted map, then a number of quads that is not
+  // what was asked for.
   bool is_better_than(const Grid_map_attempt& b, double requested_quads) const
   {
     if(folded.size() != b.folded.size())
       return folded.size() < b.folded.size();
     if(!folded.empty() || !b.is_simple || !is_simple)
       return folded.empty() && is_simple && !b.is_simple;
+    if(evens_quads)
+      return true;
     if(requested_quads == 0 || is_about(static_cast<double>(b.number_of_quads()), requested_quads))
       return false;
     return count_deviation(static_cast<double>(number_of_quads()), requested_quads) <

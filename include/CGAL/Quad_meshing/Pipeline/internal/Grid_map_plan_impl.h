@@ -23,6 +23,10 @@ namespace internal {
 
 typedef std::optional<Grid_map_plan> Optional_plan;
 
+// The distortion of a seamless map from which another field is worth its time. Of 37 models at 4000 quads, 33 have
+// less.
+inline constexpr double least_distortion = 1.25;
+
 inline bool is_folded(const Grid_map_situation& s) { return s.has_attempt && s.folded_triangles != 0; }
 
 inline bool is_unfolded(const Grid_map_situation& s) { return s.has_attempt && s.folded_triangles == 0; }
@@ -111,6 +115,19 @@ inline Optional_plan plan_finer(const Grid_map_situation& s, double relative_len
   return plan;
 }
 
+// Few singularities may make quads of very different sizes, or stretched ones, where the surface bends much.
+inline Optional_plan plan_more_even_quads(const Grid_map_situation& s)
+{
+  if(!is_unfolded(s) || !s.has_singularity_cost || s.frees_singularities ||
+     s.requested_method != Cross_field_method::POLISHED || s.distortion < least_distortion)
+    return std::nullopt;
+  Grid_map_plan plan;
+  plan.new_field = s.requested_method;
+  plan.frees_singularities = true;
+  plan.evens_quads = true;
+  return plan;
+}
+
 // Integers round lengths, most of all between features: the number of quads says by how much.
 inline Optional_plan plan_nearer_number(const Grid_map_situation& s)
 {
@@ -150,6 +167,7 @@ CGAL_QUAD_MESHING_INLINE std::vector<Grid_map_plan_rule> default_grid_map_plans(
            { "release curves within 8", release_curves(8) },
            { "finer", finer(0.95) },
            { "still finer", finer(0.9) },
+           { "more even quads", internal::plan_more_even_quads },
            { "nearer number", internal::plan_nearer_number },
            { "still nearer number", internal::plan_nearer_number } };
 }

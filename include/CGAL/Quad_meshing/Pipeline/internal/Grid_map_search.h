@@ -145,11 +145,13 @@ private:
     s.has_releasable_features = m_options.releasable_length > 0;
     s.has_curves = m_directions.has_releasable_curves;
     s.requested_quads = m_options.requested_quads;
+    s.has_singularity_cost = m_options.quadrangulation.singularity_cost > 0 && !is_graded();
     if(best)
     {
       s.has_attempt = true;
       s.folded_triangles = best->folded.size();
       s.folded_before_rounding = best->folded_before_rounding.size();
+      s.distortion = best->field->map->distortion();
       s.is_simple = best->is_simple;
       s.quads = best->number_of_quads();
       s.relative_length = best->relative_length;
@@ -176,7 +178,17 @@ private:
       }
       field = field_with_room(plan, is_feature, released);
     }
-    return field ? map(field, plan.relative_length) : nullptr;
+    if(plan.evens_quads && best && field &&
+       !(compute_seamless_map(*field) && is_more_even(*field->map, *best->field->map)))
+      return nullptr;
+    return field ? map(field, plan) : nullptr;
+  }
+
+  // Whether a map is distorted so much less than another one that it is worth more singularities.
+  static bool is_more_even(const Seamless_map& a, const Seamless_map& b)
+  {
+    const double least_gain = 0.25; // of what the map is distorted above the least distortion, which is 1
+    return a.result().folded_before_rounding.empty() && a.distortion() - 1 < (1 - least_gain) * (b.distortion() - 1);
   }
 
   std::vector<char> initial_features() const
@@ -244,10 +256,15 @@ private:
   // Lengths that change need singularities.
   double singularity_cost(const Grid_map_plan& plan) const
   {
-    for(Mesh::Face_index f : m_surface.mesh.faces())
-      if(m_surface.length[f] != m_surface.length[*m_surface.mesh.faces().begin()])
-        return 0;
-    return plan.frees_singularities ? 0 : m_options.quadrangulation.singularity_cost;
+    return plan.frees_singularities || is_graded() ? 0 : m_options.quadrangulation.singularity_cost;
+  }
+
+  // Whether the lengths on the surface are not all the same.
+  bool is_graded() const
+  {
+    return std::any_of(m_surface.mesh.faces().begin(), m_surface.mesh.faces().end(),
+                       [this](Mesh::Face_index f)
+                       { return m_surface.length[f] != m_surface.length[*m_surface.mesh.faces().begin()]; });
   }
 
   std::shared_ptr<Field_attempt> compute_field(const Grid_map_plan& plan, const std::vector<char>& is_feature,
@@ -301,13 +318,14 @@ private:
     return nullptr;
   }
 
-  std::shared_ptr<Grid_map_attempt> map(const std::shared_ptr<Field_attempt>& field, double relative_length)
+  std::shared_ptr<Grid_map_attempt> map(const std::shared_ptr<Field_attempt>& field, const Grid_map_plan& plan)
   {
     if(!field->map && !compute_seamless_map(*field))
       return nullptr;
     auto attempt = std::make_shared<Grid_map_attempt>();
     attempt->field = field;
-    attempt->relative_length = relative_length;
+    attempt->relative_length = plan.relative_length;
+    attempt->evens_quads = plan.evens_quads;
     attempt->uv.resize(m_surface.mesh.number_of_halfedges());
     if(!round(*attempt, false))
       return nullptr;
