@@ -25,9 +25,9 @@ namespace internal {
 
 // The edges of bands that are so narrow that quads see one sharp edge in their place.
 //
-// A crease with a chamfer of a hundredth of a quad is two edges of half its angle, or three of a third. Some of them are
-// sharp and others are not, so that a crease along them would change from one side of the band to the other and end in
-// between. All edges of a band count that turn the surface noticeably, if the band as a whole turns it as much as a
+// A crease with a chamfer of a hundredth of a quad is two edges of half its angle, or three of a third. Some of them
+// are sharp and others are not, so that a crease along them would change from one side of the band to the other and end
+// in between. All edges of a band count that turn the surface noticeably, if the band as a whole turns it as much as a
 // sharp edge does; `merge_narrow_patches()` then chooses one of them, the same all along the band.
 class Sharp_bands
 {

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -50,21 +49,26 @@ public:
   }
 
 private:
-  struct Patch
+  // A stretch of the outline of a patch along one other patch, without a corner, that bends about as much everywhere.
+  struct Side
   {
-    double area = 0, perimeter = 0;
-
-    // Of a strip that is long; half the width of a square.
-    double width() const { return perimeter > 0 ? 2 * area / perimeter : 0; }
-  };
-
-  struct Contact
-  {
+    int neighbor = -1;
     double length = 0, bend = 0; // bend: times length, from 0 to 2
     double angle = 0;            // between the normals, times length, positive at convex edges
+    std::vector<int> edges;
 
     double mean_bend() const { return length > 0 ? bend / length : 0; }
     double mean_angle() const { return length > 0 ? angle / length : 0; }
+  };
+
+  struct Patch
+  {
+    double area = 0, perimeter = 0;
+    std::vector<int> faces;
+    std::vector<Side> sides; // those at the border of the surface are none
+
+    // Of a strip that is long; half the width of a square.
+    double width() const { return perimeter > 0 ? 2 * area / perimeter : 0; }
   };
 
   Vector_3 area_vector(int f) const { return cross_product(m_mesh.vector(3 * f), m_mesh.vector(3 * f + 1)) / 2; }
@@ -86,6 +90,7 @@ private:
       {
         const int f = stack.back();
         stack.pop_back();
+        m_patches[id].faces.push_back(f);
         m_patches[id].area += std::sqrt(area_vector(f).squared_length());
         for(int h = 3 * f; h < 3 * f + 3; ++h)
         {
@@ -99,78 +104,161 @@ private:
     }
   }
 
+  bool is_outline(int h) const
+  {
+    const int o = m_mesh.opposite[h];
+    return o == -1 || m_patch_of_face[o / 3] != m_patch_of_face[h / 3];
+  }
+
+  // The perimeters and sides of all patches. Where one patch lies on both sides of a strip, these sides are two.
+  void find_sides()
+  {
+    const double least_change = CGAL_PI / 6; // of the angle between the normals: a crease begins or ends there
+    std::vector<bool> is_seen(m_mesh.number_of_halfedges(), false);
+    for(int first = 0; first < m_mesh.number_of_halfedges(); ++first)
+    {
+      if(is_seen[first] || !is_outline(first))
+        continue;
+      const int start = after_corner(first);
+      Patch& patch = m_patches[m_patch_of_face[first / 3]];
+      int before = -1; // the neighbor along the halfedge before
+      for(int h = start; !is_seen[h]; h = next_of_outline(h))
+      {
+        is_seen[h] = true;
+        const double l = std::sqrt(m_mesh.vector(h).squared_length());
+        patch.perimeter += l;
+        const int o = m_mesh.opposite[h], q = o == -1 ? -1 : m_patch_of_face[o / 3];
+        if(q != -1)
+        {
+          if(q != before || h == start || is_corner(h) ||
+             std::abs(convex_angle(h) - convex_angle(previous_of_outline(h))) > least_change)
+            patch.sides.push_back(Side{ q });
+          Side& side = patch.sides.back();
+          side.length += l;
+          side.bend += l * bend(h / 3, o / 3);
+          side.angle += l * convex_angle(h);
+          side.edges.push_back(m_mesh.edge_of[h]);
+        }
+        before = q;
+      }
+    }
+  }
+
+  // The halfedge of the outline that leaves the target of one of its halfedges.
+  int next_of_outline(int h) const
+  {
+    int g = Indexed_triangle_mesh::next(h);
+    while(!is_outline(g))
+      g = Indexed_triangle_mesh::next(m_mesh.opposite[g]);
+    return g;
+  }
+
+  int previous_of_outline(int h) const
+  {
+    int g = Indexed_triangle_mesh::prev(h);
+    while(!is_outline(g))
+      g = Indexed_triangle_mesh::prev(m_mesh.opposite[g]);
+    return g;
+  }
+
+  // Whether the outline has a corner where a halfedge begins.
+  bool is_corner(int h) const
+  {
+    const double least_turn = CGAL_PI / 3; // the end of a strip turns by a right angle or, as a tip, by nearly two
+    const Vector_3 a = m_mesh.vector(previous_of_outline(h)), b = m_mesh.vector(h);
+    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b) > least_turn;
+  }
+
+  // The first halfedge of the outline from h on that begins at a corner; h if there is none.
+  int after_corner(int h) const
+  {
+    for(int g = h;;)
+    {
+      if(is_corner(g))
+        return g;
+      g = next_of_outline(g);
+      if(g == h)
+        return h;
+    }
+  }
+
   // Every patch takes part in one joining at most: the widths of others are still true then.
   std::size_t join_narrow_patches(double least_width)
   {
-    std::vector<std::map<int, Contact>> contacts(m_patches.size());
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-    {
-      const int h = m_mesh.halfedge_of_edge[e], o = m_mesh.opposite[h];
-      const int p = m_patch_of_face[h / 3], q = o == -1 ? -1 : m_patch_of_face[o / 3];
-      if(p == q)
-        continue;
-      const double l = std::sqrt(m_mesh.vector(h).squared_length());
-      for(int side : { p, q })
-        if(side != -1)
-          m_patches[side].perimeter += l;
-      if(q == -1)
-        continue;
-      const double b = bend(h / 3, o / 3), a = convex_angle(h);
-      for(const auto& sides : { std::make_pair(p, q), std::make_pair(q, p) })
-      {
-        contacts[sides.first][sides.second].length += l;
-        contacts[sides.first][sides.second].bend += l * b;
-        contacts[sides.first][sides.second].angle += l * a;
-      }
-    }
+    find_sides();
     std::vector<std::pair<double, int>> narrow;
     for(int p = 0; p < static_cast<int>(m_patches.size()); ++p)
-      if(m_patches[p].width() < least_width && !contacts[p].empty())
+      if(m_patches[p].width() < least_width && !m_patches[p].sides.empty())
         narrow.push_back(std::make_pair(m_patches[p].width(), p));
     std::sort(narrow.begin(), narrow.end());
 
-    std::vector<int> partner(m_patches.size(), -1);
+    std::vector<bool> is_joined(m_patches.size(), false);
     std::size_t joined = 0;
     for(const auto& entry : narrow)
     {
       const int p = entry.second;
-      if(partner[p] != -1)
+      if(is_joined[p])
         continue;
-      const int q =
-        std::min_element(contacts[p].begin(), contacts[p].end(),
-                         [](const auto& a, const auto& b) { return a.second.mean_bend() < b.second.mean_bend(); })
-          ->first;
-      if(partner[q] != -1 || is_thin_wall(contacts[p], q))
+      const Side& side = *std::min_element(m_patches[p].sides.begin(), m_patches[p].sides.end(),
+                                           [](const Side& a, const Side& b) { return a.mean_bend() < b.mean_bend(); });
+      if(is_joined[side.neighbor] || is_thin_wall(p, side))
         continue;
-      partner[p] = q;
-      partner[q] = p;
+      is_joined[p] = is_joined[side.neighbor] = true;
+      join(m_patches[p], side);
       ++joined;
     }
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      if(!m_mesh.is_border_edge(e) && m_is_sharp[e])
-      {
-        const int h = m_mesh.halfedge_of_edge[e];
-        const int p = m_patch_of_face[h / 3], q = m_patch_of_face[m_mesh.opposite[h] / 3];
-        if(p != q && partner[p] == q)
-          m_is_sharp[e] = false;
-      }
     return joined;
   }
 
-  // Whether a patch with these contacts stands between q and another one along it that faces away from q. At a sliver
-  // that is folded back onto the surface, angles sum up to as much.
-  static bool is_thin_wall(const std::map<int, Contact>& contacts, int q)
+  // Unmarks the edges between a patch and its neighbor along one of its sides. Where that neighbor is all around a
+  // strip along a crease that ends, the other side is the crease and stays.
+  void join(const Patch& patch, const Side& side)
+  {
+    const double least_share = 0.25; // of the outline along others, where the neighbor is on one side only
+    double along_others = patch.perimeter, largest_bend = 0;
+    for(const Side& s : patch.sides)
+      if(s.neighbor == side.neighbor)
+      {
+        along_others -= s.length;
+        largest_bend = (std::max)(largest_bend, s.mean_bend());
+      }
+    const bool is_all_around = along_others < least_share * patch.perimeter;
+    for(const Side& s : patch.sides)
+      if(s.neighbor == side.neighbor && (!is_all_around || 2 * s.mean_bend() <= side.mean_bend() + largest_bend))
+        for(int e : s.edges)
+          m_is_sharp[e] = false;
+  }
+
+  // Whether patch p stands between its neighbor along one side and another one along it that faces away from that. At a
+  // sliver that is folded back onto the surface, angles sum up to as much; and where the two neighbors meet beside the
+  // patch, it only blunts their sharp edge.
+  bool is_thin_wall(int p, const Side& side) const
   {
     const double least_turn = 0.75 * CGAL_PI; // halfway between a chamfer of a right angle and a thin plate
     const double largest_angle = least_turn;  // halfway between a right angle and a fold
-    const double least_relative_length = 0.5; // of the other contact
-    const Contact& to_q = contacts.at(q);
-    for(const auto& c : contacts)
-      if(c.first != q && c.second.length > least_relative_length * to_q.length &&
-         (std::max)(std::abs(c.second.mean_angle()), std::abs(to_q.mean_angle())) < largest_angle &&
-         std::abs(c.second.mean_angle() + to_q.mean_angle()) > least_turn)
+    const double least_relative_length = 0.5; // of the other side
+    for(const Side& s : m_patches[p].sides)
+      if(s.neighbor != side.neighbor && s.length > least_relative_length * side.length &&
+         (std::max)(std::abs(s.mean_angle()), std::abs(side.mean_angle())) < largest_angle &&
+         std::abs(s.mean_angle() + side.mean_angle()) > least_turn && !meet_at(p, side.neighbor, s.neighbor))
         return true;
     return false;
+  }
+
+  // Whether patches q and r have a common edge that ends at patch p.
+  bool meet_at(int p, int q, int r) const
+  {
+    bool result = false;
+    for(int f : m_patches[p].faces)
+      for(int v : m_mesh.corners[f])
+        for_each_corner_of_vertex(m_mesh, v,
+                                  [&](int h)
+                                  {
+                                    const int o = m_mesh.opposite[h], a = m_patch_of_face[h / 3];
+                                    if(o != -1 && (a == q || a == r))
+                                      result = result || m_patch_of_face[o / 3] == q + r - a;
+                                  });
+    return result;
   }
 
   // The angle between the normals at the edge of h, positive where it is convex.

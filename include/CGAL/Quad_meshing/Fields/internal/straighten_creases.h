@@ -76,11 +76,11 @@ private:
     if(m_degree[tip] != 2 || m_on_border[tip])
       return false;
     const int a = source(h), c = target(g);
-    const double half_turn = CGAL_PI;
+    const double least_gain = CGAL_PI / 2; // at a tip without a fold there is none, at a fold a half turn or more
     const double at_tip = turn(a, tip, c);
     const double before = at_tip + turn_at_end(a, tip, h) + turn_at_end(c, tip, g);
     const double after = turn_at_end(a, c, h) + turn_at_end(c, a, g);
-    return before - after > half_turn;
+    return before - after > least_gain;
   }
 
   bool is_sharp(int h) const { return m_is_sharp[m_mesh.edge_of[h]]; }

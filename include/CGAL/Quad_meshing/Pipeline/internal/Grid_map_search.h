@@ -187,7 +187,7 @@ private:
   // Whether a map is distorted so much less than another one that it is worth more singularities.
   static bool is_more_even(const Seamless_map& a, const Seamless_map& b)
   {
-    const double least_gain = 0.25; // of what the map is distorted above the least distortion, which is 1
+    const double least_gain = 0.3; // of what the map is distorted above the least distortion, which is 1
     return a.result().folded_before_rounding.empty() && a.distortion() - 1 < (1 - least_gain) * (b.distortion() - 1);
   }
 
