@@ -365,11 +365,105 @@ void test_thin_plates()
     assert(kept_edges(plate, length) == 12 * 8);
 }
 
+// The edges kept of a mesh, if they form one chain from one vertex to another; 0 if not.
+std::size_t edges_of_chain(const test_meshes::Soup& soup, double length)
+{
+  Mesh tm = test_meshes::make_mesh(soup);
+  auto is_feature = tm.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+  const std::size_t edges = QM::detect_feature_edges(tm, 40, length, is_feature).number_of_edges;
+  std::size_t ends = 0, inner = 0;
+  for(Mesh::Vertex_index v : tm.vertices())
+  {
+    int degree = 0;
+    for(auto h : CGAL::halfedges_around_target(v, tm))
+      degree += is_feature[tm.edge(h)];
+    ends += degree == 1;
+    inner += degree == 2;
+    if(degree > 2)
+      return 0;
+  }
+  return ends == 2 && inner + 1 == edges ? edges : 0;
+}
+
+// A chamfer of two strips, whose three edges share its right angle differently from row to row, is one edge for quads
+// that are much larger: on one line all along.
+void test_sharp_bands()
+{
+  const int rows = 40;
+  const double chamfer = 0.01;
+  const test_meshes::Soup sheet = test_meshes::mapped(
+    test_meshes::grid(22, rows, 22, 4),
+    [&](const Kernel::Point_3& p)
+    {
+      const int i = static_cast<int>(std::lround(p.x())), j = static_cast<int>(std::lround(10 * p.y()));
+      if(i <= 10)
+        return Kernel::Point_3(0.1 * i, p.y(), 0);
+      if(i >= 12)
+        return Kernel::Point_3(1 + chamfer, p.y(), chamfer + 0.1 * (i - 12));
+      // pieces of five rows bend by 15, 45 and 30, by 30, 30 and 30, or by 42, 33 and 15 degrees
+      const double slopes[3][2] = { { 15, 60 }, { 30, 60 }, { 42, 75 } };
+      const double first = slopes[j / 5 % 3][0] * CGAL_PI / 180, second = slopes[j / 5 % 3][1] * CGAL_PI / 180;
+      // where the lines from both outer edges at these slopes meet
+      const double l = chamfer * (std::sin(second) - std::cos(second)) / std::sin(second - first);
+      return Kernel::Point_3(1 + l * std::cos(first), p.y(), l * std::sin(first));
+    });
+  assert(edges_of_chain(sheet, 0.3) == static_cast<std::size_t>(rows));
+}
+
+// A blunt crease that fades out at both ends, so that one and the same patch lies on both sides of it: one of its two
+// lines stays.
+void test_blunt_open_creases()
+{
+  const double width = 0.01; // of the blunt strip; its line is the one at y = 1.1, moved
+  const test_meshes::Soup sheet =
+    test_meshes::mapped(fading_crease(0),
+                        [width](const Kernel::Point_3& p)
+                        {
+                          const double y = p.y() - 1 < 0.05 ? p.y() : p.y() - 0.1 + width;
+                          const double bend = std::sin(CGAL_PI * p.x() / 4);
+                          return Kernel::Point_3(p.x(), y, -std::abs(y - 1) * bend * bend);
+                        });
+  assert(edges_of_chain(sheet, 0.5) >= 20);
+}
+
+// A knife edge that is blunted along one edge stays one crease, while the rims of thin plates stay two.
+void test_blunted_knives()
+{
+  const std::size_t n = 12, blunted = 6;
+  const double steep = 5.7, side = 0.01; // 160 degrees between the sides
+  test_meshes::Soup roof;
+  for(std::size_t i = 0; i <= n; ++i)
+    for(double y : { -1., 0., 1. })
+      roof.points.emplace_back(double(i), y, -steep * std::abs(y));
+  const std::size_t added = roof.points.size();
+  for(double y : { -side, side })
+    roof.points.emplace_back(blunted + 0.5, y, -steep * side);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t a = 3 * i, b = 3 * (i + 1);
+    if(i != blunted)
+    {
+      roof.add_quad(a, b, b + 1, a + 1);
+      roof.add_quad(a + 1, b + 1, b + 2, a + 2);
+      continue;
+    }
+    roof.triangles.push_back({ { a, b, added } });
+    roof.triangles.push_back({ { b, b + 1, added } });
+    roof.triangles.push_back({ { a + 1, a, added } });
+    roof.triangles.push_back({ { a + 1, added, added + 1 } });
+    roof.triangles.push_back({ { b + 1, added + 1, added } });
+    roof.triangles.push_back({ { b + 2, a + 2, added + 1 } });
+    roof.triangles.push_back({ { b + 1, b + 2, added + 1 } });
+    roof.triangles.push_back({ { a + 2, a + 1, added + 1 } });
+  }
+  assert(edges_of_chain(roof, 1) == n + 1);
+}
+
 // A ridge that is blunt along one short edge: its two parts are one crease unless the gap is longer than half a quad.
 void test_gaps_in_creases()
 {
   const int n = 12, left = 6;
-  const double gap = 0.1, steep = 1, blunt = 0.25; // the slopes beside the ridge; 90 and 28 degrees between the sides
+  const double gap = 0.1, steep = 0.4, blunt = 0.19; // slopes beside the ridge: 44 and 22 degrees between the sides
   test_meshes::Soup roof;
   for(int i = 0; i <= n; ++i)
   {
@@ -378,7 +472,7 @@ void test_gaps_in_creases()
       roof.points.emplace_back(x, y, -steep * std::abs(y));
   }
   // vertices near the short edge, between the left and the right part
-  const double side = 0.01, middle = left + gap / 2;
+  const double side = 0.05, middle = left + gap / 2; // so far away that the blunt part is no narrow band
   for(double y : { -side, side })
     roof.points.emplace_back(middle, y, -blunt * side);
   const std::size_t added = 3 * (n + 1);
@@ -1085,6 +1179,9 @@ int main(int argc, char** argv)
                      { "small_rims", test_small_rims },
                      { "open_creases", test_open_creases },
                      { "thin_plates", test_thin_plates },
+                     { "sharp_bands", test_sharp_bands },
+                     { "blunt_open_creases", test_blunt_open_creases },
+                     { "blunted_knives", test_blunted_knives },
                      { "gaps_in_creases", test_gaps_in_creases },
                      { "narrow_patches", test_narrow_patches },
                      { "networks_of_short_chains", test_networks_of_short_chains },
