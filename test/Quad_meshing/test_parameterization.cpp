@@ -36,6 +36,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -410,35 +411,19 @@ void test_sharp_bands()
   assert(edges_of_chain(sheet, 0.3) == static_cast<std::size_t>(rows));
 }
 
-// A blunt crease that fades out at both ends, so that one and the same patch lies on both sides of it: one of its two
-// lines stays.
-void test_blunt_open_creases()
+// A ridge along the x-axis with slopes that may change with x, blunted along one edge by two triangles of one height.
+test_meshes::Soup blunted_ridge(std::size_t edges, const std::function<double(double)>& slope)
 {
-  const double width = 0.01; // of the blunt strip; its line is the one at y = 1.1, moved
-  const test_meshes::Soup sheet =
-    test_meshes::mapped(fading_crease(0),
-                        [width](const Kernel::Point_3& p)
-                        {
-                          const double y = p.y() - 1 < 0.05 ? p.y() : p.y() - 0.1 + width;
-                          const double bend = std::sin(CGAL_PI * p.x() / 4);
-                          return Kernel::Point_3(p.x(), y, -std::abs(y - 1) * bend * bend);
-                        });
-  assert(edges_of_chain(sheet, 0.5) >= 20);
-}
-
-// A knife edge that is blunted along one edge stays one crease, while the rims of thin plates stay two.
-void test_blunted_knives()
-{
-  const std::size_t n = 12, blunted = 6;
-  const double steep = 5.7, side = 0.01; // 160 degrees between the sides
+  const std::size_t blunted = edges / 2;
+  const double side = 0.01;
   test_meshes::Soup roof;
-  for(std::size_t i = 0; i <= n; ++i)
+  for(std::size_t i = 0; i <= edges; ++i)
     for(double y : { -1., 0., 1. })
-      roof.points.emplace_back(double(i), y, -steep * std::abs(y));
+      roof.points.emplace_back(double(i), y, -slope(double(i)) * std::abs(y));
   const std::size_t added = roof.points.size();
   for(double y : { -side, side })
-    roof.points.emplace_back(blunted + 0.5, y, -steep * side);
-  for(std::size_t i = 0; i < n; ++i)
+    roof.points.emplace_back(blunted + 0.5, y, -slope(blunted + 0.5) * side);
+  for(std::size_t i = 0; i < edges; ++i)
   {
     const std::size_t a = 3 * i, b = 3 * (i + 1);
     if(i != blunted)
@@ -456,7 +441,24 @@ void test_blunted_knives()
     roof.triangles.push_back({ { b + 1, b + 2, added + 1 } });
     roof.triangles.push_back({ { a + 2, a + 1, added + 1 } });
   }
-  assert(edges_of_chain(roof, 1) == n + 1);
+  return roof;
+}
+
+// A crease that fades out at both ends, so that one and the same patch lies on both sides of its blunt part: one of the
+// two lines stays.
+void test_blunt_open_creases()
+{
+  const std::size_t n = 13;
+  const auto slope = [n](double x) { return 1.2 * std::min(1., 0.2 * std::min(x, n - x)); };
+  assert(edges_of_chain(blunted_ridge(n, slope), 1) >= 10);
+}
+
+// A knife edge that is blunted along one edge stays one crease, while the rims of thin plates stay two.
+void test_blunted_knives()
+{
+  const std::size_t n = 12;
+  const auto slope = [](double) { return 5.7; }; // 160 degrees between the sides
+  assert(edges_of_chain(blunted_ridge(n, slope), 1) == n + 1);
 }
 
 // A ridge that is blunt along one short edge: its two parts are one crease unless the gap is longer than half a quad.

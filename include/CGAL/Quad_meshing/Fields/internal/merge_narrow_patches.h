@@ -224,7 +224,8 @@ private:
       }
     const bool is_all_around = along_others < least_share * patch.perimeter;
     for(const Side& s : patch.sides)
-      if(s.neighbor == side.neighbor && (!is_all_around || 2 * s.mean_bend() <= side.mean_bend() + largest_bend))
+      if(s.neighbor == side.neighbor &&
+         (!is_all_around || &s == &side || 2 * s.mean_bend() < side.mean_bend() + largest_bend))
         for(int e : s.edges)
           m_is_sharp[e] = false;
   }
