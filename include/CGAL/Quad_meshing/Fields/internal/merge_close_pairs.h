@@ -98,9 +98,8 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
   }
 }
 
-// Annihilates the pairs of opposite singularities closer to each other than half the target edge length, nearest first:
-// a map for quads of twice this size would put both on one grid point, so what they do for the smoothness is lost on
-// it. One of a pair moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as
+// Annihilates the pairs of opposite singularities closer to each other than the target edge length, nearest first: an
+// integer-grid map would put them on neighboring grid points at best, and bend quads more than the pair is worth. One of a pair moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as
 // singular if it has a quad more or less than its angle fits.
 inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double target_edge_length,
                               Sector_quads& quads, Cross_field& field, Stage_progress& progress)
@@ -117,8 +116,7 @@ inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian
     for(int s = 0; s < n; ++s)
       if(excess(s) < -one_quad_too_many && progress.go_further())
         find_close_partners(problem, quads.state(), fitting, s,
-                            problem.length_at(problem.sectors.vertex[s], target_edge_length) / 2, front, arrived_by,
-                            pairs);
+                            problem.length_at(problem.sectors.vertex[s], target_edge_length), front, arrived_by, pairs);
     if(pairs.empty())
       break;
     std::stable_sort(pairs.begin(), pairs.end(),
