@@ -99,9 +99,9 @@ inline void find_close_partners(const Field_problem& problem, const std::vector<
 }
 
 // Annihilates the pairs of opposite singularities closer to each other than the target edge length, nearest first: an
-// integer-grid map would put them on neighboring grid points at best, and bend quads more than the pair is worth. One of
-// a pair moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular if it
-// has a quad more or less than its angle fits.
+// integer-grid map would put them on neighboring grid points at best, and bend quads more than the pair is worth. One
+// of a pair moves to the other along mesh edges; the angles follow. A sector between aligned edges counts as singular
+// if it has a quad more or less than its angle fits.
 inline void merge_close_pairs(const Field_problem& problem, const Dual_laplacian& laplacian, double target_edge_length,
                               Sector_quads& quads, Cross_field& field, Stage_progress& progress)
 {

@@ -178,17 +178,21 @@ private:
       }
       field = field_with_room(plan, is_feature, released);
     }
-    if(plan.evens_quads && best && field &&
-       !(compute_seamless_map(*field) && is_more_even(*field->map, *best->field->map)))
+    if(plan.evens_quads && best && field && !is_more_even(*field, *best->field))
       return nullptr;
     return field ? map(field, plan) : nullptr;
   }
 
-  // Whether a map is distorted so much less than another one that it is worth more singularities.
-  static bool is_more_even(const Seamless_map& a, const Seamless_map& b)
+  // Whether the map of a field is distorted so much less than that of another one that it is worth more singularities:
+  // the distortion goes down by a larger share than their number goes up. The least distortion is 1.
+  bool is_more_even(Field_attempt& field, const Field_attempt& other)
   {
-    const double least_gain = 0.3; // of what the map is distorted above the least distortion, which is 1
-    return a.result().folded_before_rounding.empty() && a.distortion() - 1 < (1 - least_gain) * (b.distortion() - 1);
+    const double least_gain = 0.3; // below it, nobody sees the difference
+    const double growth = field.singularities / (std::max)(1., double(other.singularities)) - 1;
+    if(growth >= 1 || !compute_seamless_map(field) || !field.map->result().folded_before_rounding.empty())
+      return false;
+    const double gain = 1 - (field.map->distortion() - 1) / (other.map->distortion() - 1);
+    return gain > (std::max)(least_gain, growth);
   }
 
   std::vector<char> initial_features() const
