@@ -184,15 +184,17 @@ private:
   }
 
   // Whether the map of a field is distorted so much less than that of another one that it is worth more singularities:
-  // the distortion goes down by a larger share than their number goes up. The least distortion is 1.
+  // the distortion goes down by twice the share that their number goes up by. The least distortion is 1.
   bool is_more_even(Field_attempt& field, const Field_attempt& other)
   {
-    const double least_gain = 0.3; // below it, nobody sees the difference
+    const double least_gain = 0.3;   // below it, nobody sees the difference
+    const double gain_of_growth = 2; // armadillo at 2000 quads is no better with 40 percent more
     const double growth = field.singularities / (std::max)(1., double(other.singularities)) - 1;
-    if(growth >= 1 || !compute_seamless_map(field) || !field.map->result().folded_before_rounding.empty())
+    if(gain_of_growth * growth >= 1 || !compute_seamless_map(field) ||
+       !field.map->result().folded_before_rounding.empty())
       return false;
     const double gain = 1 - (field.map->distortion() - 1) / (other.map->distortion() - 1);
-    return gain > (std::max)(least_gain, growth);
+    return gain > (std::max)(least_gain, gain_of_growth * growth);
   }
 
   std::vector<char> initial_features() const
