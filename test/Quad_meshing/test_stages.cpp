@@ -229,6 +229,7 @@ struct Request
   unsigned int seed = 0;
   bool align_boundary = true;
   std::vector<QM::Guide_curve> curves = {};
+  bool work_on_input = true;
 };
 
 Result run(const Mesh& tm, const Request& request, const std::string& without, Mesh& quads)
@@ -240,7 +241,7 @@ Result run(const Mesh& tm, const Request& request, const std::string& without, M
   o.random_seed = request.seed;
   o.align_boundary = request.align_boundary;
   o.feature_curves = request.curves;
-  o.work_on_input = true;
+  o.work_on_input = request.work_on_input;
   o.plans.erase(std::remove_if(o.plans.begin(), o.plans.end(),
                                [&](const QM::Grid_map_plan_rule& rule) { return rule.name == without; }),
                 o.plans.end());
@@ -316,6 +317,16 @@ void test_plan_of_released_curves()
   check_plan("release curves within 8", mesh_of(test_meshes::grid(size, size, size, size)), request);
 }
 
+// The field with few singularities makes long quads around a knob, and not as many as were asked for.
+void test_plan_of_more_even_quads()
+{
+  Mesh knob;
+  if(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/dragknob.off"), knob))
+    check_plan("more even quads", knob, { 300, 0, 0, true, {}, false });
+  else
+    std::cout << "no dragknob.off: skipped" << std::endl;
+}
+
 void test_plans_for_the_number()
 {
   check_plan("nearer number", mesh_of(sharp_cone(5)), { 500 });
@@ -386,6 +397,7 @@ int main(int argc, char** argv)
                      { "plans_for_coarse_grids", test_plans_for_coarse_grids },
                      { "narrow_tube", test_narrow_tube },
                      { "plan_of_released_curves", test_plan_of_released_curves },
+                     { "plan_of_more_even_quads", test_plan_of_more_even_quads },
                      { "plans_for_the_number", test_plans_for_the_number },
                      { "random_seed", test_random_seed },
                      { "stiffening_iterations", test_stiffening_iterations } });

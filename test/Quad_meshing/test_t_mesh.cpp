@@ -422,6 +422,25 @@ void test_brute_force()
   }
 }
 
+// A cube is mapped as it is; the rings of a cup that widens get as many quads at both ends. The size of quads does not
+// matter.
+void test_distortion()
+{
+  const test_meshes::Soup cup =
+    test_meshes::mapped(test_meshes::cylinder(48, 24, false), [](const test_meshes::Kernel::Point_3& p)
+                        { return test_meshes::Kernel::Point_3((1 + p.z()) * p.x(), (1 + p.z()) * p.y(), 3 * p.z()); });
+  std::vector<double> of_cup;
+  for(double length : { 0.25, 0.125 })
+  {
+    const Mapped_surface cube(test_meshes::cube(8), length);
+    assert(std::abs(cube.map.distortion() - 1) < 1e-9);
+    assert(std::abs(cube.map.number_of_quads() * length * length - 6) < 1e-6);
+    of_cup.push_back(Mapped_surface(cup, length).map.distortion());
+    std::cout << "cup: " << of_cup.back() << std::endl;
+  }
+  assert(of_cup[0] > 1.02 && std::abs(of_cup[0] - of_cup[1]) < 0.005);
+}
+
 // Before a map is rounded, and where borders are not aligned, there is no T-mesh; it says so, and there are no lengths.
 void test_refusals()
 {
@@ -480,5 +499,6 @@ int main(int argc, char** argv)
                      { "any_start", test_any_start },
                      { "brute_force", test_brute_force },
                      { "layouts", t_meshes_are_layouts },
+                     { "distortion", test_distortion },
                      { "refusals", test_refusals } });
 }
