@@ -748,7 +748,8 @@ void test_carrying()
                                            silent.progress);
   assert(solver.solve_seamless(equal_weights(mesh), 1, 5) && solver.number_of_integers() > 0);
   const QM::internal::Vertex_sectors sectors(solver.coordinates, quarters, is_aligned);
-  QM::internal::Map_optimization optimization(solver.coordinates, solver.faces, sectors, silent.progress);
+  const QM::internal::Shared_sums sums(solver.coordinates);
+  QM::internal::Map_optimization optimization(solver.coordinates, sums, solver.faces, sectors, silent.progress);
   assert(optimization.folded_faces(solver.relaxed).empty());
 
   int folding = 0;
@@ -936,12 +937,14 @@ void test_orientation_energy()
     const Mapped m = map_of(soup, length, QM::Rounding_method::GREEDY, "energy");
     const Solver_of s(m, length);
     const auto& coordinates = s.solver->coordinates;
+    const QM::internal::Shared_sums sums(coordinates);
+    std::cout << sums.sums().size() << " shared sums" << std::endl;
     std::vector<double> weight(s.mesh.number_of_faces());
     for(double& w : weight)
       w = random.get_double(0.5, 3);
     for(double g : { 1., 0.3 })
     {
-      const QM::internal::Orientation_energy energy(coordinates, s.solver->faces, weight, g);
+      const QM::internal::Orientation_energy energy(coordinates.charts, sums, s.solver->faces, weight, g);
       const auto by_definition = [&](const Eigen::VectorXd& x)
       {
         double sum = 0;
@@ -987,7 +990,7 @@ void test_orientation_energy()
         number[i] = static_cast<int>(free.size());
         free.push_back(i);
       }
-      const QM::internal::Orientation_energy part(coordinates, s.solver->faces, weight, g, number,
+      const QM::internal::Orientation_energy part(coordinates.charts, sums, s.solver->faces, weight, g, number,
                                                   static_cast<int>(free.size()), x);
       Eigen::VectorXd y(free.size());
       for(int k = 0; k < y.size(); ++k)

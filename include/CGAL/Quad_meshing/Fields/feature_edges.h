@@ -33,7 +33,8 @@ finds hundreds of short creases that are noise, and each of them would force the
 target edge length, a patch between sharp edges that is narrower than `l / 4` (twice its area over its perimeter) is
 joined to the neighbor that it bends least to, so that one crease is left, unless it is the wall of a thin part. In a
 band of triangles that are lower than `l / 16` and four times as long, edges that turn the surface by a quarter of the
-angle are sharp if the band as a whole turns it by the angle: so a chamfer of several strips is one crease. Where two sharp sides of a triangle lead a crease to and fro, its third side replaces them if the crease turns less along
+angle are sharp if the band as a whole turns it by the angle: so a chamfer of several strips is one crease. Where two
+sharp sides of a triangle lead a crease to and fro, its third side replaces them if the crease turns less along
 it. Two creases that end at one short blunt edge are joined by it. The following pieces of the graph are dropped:
 - branches that end freely and are shorter than `1.5 l`;
 - components with a free end that are shorter than `25 l`, or than `3 l` if they are nearly straight (the ratio of

@@ -61,7 +61,8 @@ public:
     , m_is_aligned(is_aligned)
     , m_sizing(sizing)
     , m_reach(m_sectors.list.size(), Cone_profile::first_reach)
-    , m_optimization(coordinates, faces, m_sectors, progress)
+    , m_sums(coordinates)
+    , m_optimization(coordinates, m_sums, faces, m_sectors, progress)
     , m_progress(progress)
   {
     m_optimization.number_of_threads = number_of_threads;
@@ -300,6 +301,7 @@ private:
   const std::vector<bool> m_is_aligned;
   const std::vector<double> m_sizing;
   std::vector<double> m_reach; // per sector: of the cone profile, in target edge lengths
+  const Shared_sums m_sums;    // the coordinates
   Map_optimization m_optimization;
   Stage_progress& m_progress;
   Integer_energy m_reduction;
@@ -314,16 +316,21 @@ private:
   {
     struct Reduction
     {
+      Reduction(const Integer_grid_solver& s, const Cone_profile& profile, const std::vector<double>& weight,
+                double anisotropy)
+        : energy(s.charts, s.m_sums, Face_gradients(s.charts, profile.sizing), profile.weighted(weight), anisotropy,
+                 &s.m_progress)
+        , is_integer(s.coordinates.is_integer)
+      {
+      }
+
       Orientation_energy energy;
       std::vector<bool> is_integer;
       Integer_energy result;
-      bool is_done;
+      bool is_done = false;
     };
     const Cone_profile profile(mesh, m_sectors, m_is_aligned, m_sizing, m_reach);
-    const auto data =
-      std::make_shared<Reduction>(Reduction{ Orientation_energy(coordinates, Face_gradients(charts, profile.sizing),
-                                                                profile.weighted(weight), anisotropy, &m_progress),
-                                             coordinates.is_integer, Integer_energy(), false });
+    const auto data = std::make_shared<Reduction>(*this, profile, weight, anisotropy);
     const Orientation_energy& energy = data->energy;
     if(!m_progress.go_further() ||
        !run_aside(coordinates.number_of_variables(), m_progress, data,
@@ -488,7 +495,7 @@ private:
       stiffening.update_weights(z);
       if(!m_progress.go_further())
         return;
-      Orientation_energy energy(coordinates, faces, stiffening.weight, anisotropy, number,
+      Orientation_energy energy(charts, m_sums, faces, stiffening.weight, anisotropy, number,
                                 static_cast<int>(variables.size()), y, &m_progress);
       data->matrix.swap(energy.A);
       if(!m_progress.go_further() ||

@@ -43,9 +43,10 @@ namespace internal {
 class Map_optimization
 {
 public:
-  Map_optimization(const Seamless_coordinates& coordinates, const Face_gradients& faces, const Vertex_sectors& sectors,
-                   Stage_progress& progress)
+  Map_optimization(const Seamless_coordinates& coordinates, const Shared_sums& sums, const Face_gradients& faces,
+                   const Vertex_sectors& sectors, Stage_progress& progress)
     : m_coordinates(coordinates)
+    , m_sums(sums)
     , m_mesh(coordinates.charts.mesh)
     , m_faces(faces)
     , m_sectors(sectors)
@@ -166,6 +167,7 @@ public:
 
 private:
   const Seamless_coordinates& m_coordinates;
+  const Shared_sums& m_sums; // the same
   const Indexed_triangle_mesh& m_mesh;
   const Face_gradients& m_faces;
   const Vertex_sectors& m_sectors;
@@ -369,10 +371,10 @@ private:
 
   void assemble(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian)
   {
-    gradient = Eigen::VectorXd::Zero(m_variables.size());
-    Element_sum sum(m_coordinates, m_number, static_cast<int>(m_variables.size()), 36 * m_active.size());
+    Element_sum sum(m_sums, m_number, static_cast<int>(m_variables.size()), 36 * m_active.size());
+    Eigen::VectorXd of_slots = Eigen::VectorXd::Zero(sum.number_of_slots());
     double trace = 0, additions = 0;
-    std::vector<int> local, place(m_variables.size(), -1);
+    std::vector<int> local, place(sum.number_of_slots(), -1);
     Eigen::MatrixXd B, HB, lH; // B: d (J00, J01, J10, J11) / d local variables
     struct Derivatives
     {
@@ -393,28 +395,27 @@ private:
       local.clear();
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
-          for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + k]][c])
-            if(m_number[t.first] != -1 && place[m_number[t.first]] == -1)
+          for(const Shared_sums::Term& t : m_sums.terms(m_coordinates.charts.wedge_of_corner[3 * f + k], c))
+            if(const int i = sum.slot(t.first); i != -1 && place[i] == -1)
             {
-              place[m_number[t.first]] = static_cast<int>(local.size());
-              local.push_back(m_number[t.first]);
+              place[i] = static_cast<int>(local.size());
+              local.push_back(i);
             }
       B.setZero(4, local.size());
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
-          for(const auto& t : m_coordinates.coordinates[m_coordinates.charts.wedge_of_corner[3 * f + k]][c])
-            if(m_number[t.first] != -1)
+          for(const Shared_sums::Term& t : m_sums.terms(m_coordinates.charts.wedge_of_corner[3 * f + k], c))
+            if(const int i = sum.slot(t.first); i != -1)
             {
-              const int i = place[m_number[t.first]];
-              B(2 * c, i) += t.second * m_faces.gradient[f](k, 0);
-              B(2 * c + 1, i) += t.second * m_faces.gradient[f](k, 1);
+              B(2 * c, place[i]) += t.second * m_faces.gradient[f](k, 0);
+              B(2 * c + 1, place[i]) += t.second * m_faces.gradient[f](k, 1);
             }
       HB.noalias() = m_weight[f] * derivatives[a].H * B;
       lH.noalias() = B.transpose() * HB;
       additions += double(local.size()) * local.size();
       for(std::size_t i = 0; i < local.size(); ++i)
       {
-        gradient[local[i]] += m_weight[f] * B.col(i).dot(derivatives[a].g);
+        of_slots[local[i]] += m_weight[f] * B.col(i).dot(derivatives[a].g);
         for(std::size_t j = 0; j < local.size(); ++j)
           sum.add(local[i], local[j], lH(i, j));
         trace += lH(i, i);
@@ -423,8 +424,11 @@ private:
     }
     // A dense part of the integers, and nested dissection of a plane for the rest.
     const double per_addition = 10, per_variable = 10;
-    operations_left -= per_addition * additions + std::pow(sum.number_of_dense_rows(), 3) / 3 +
-                       per_variable * std::pow(m_variables.size(), 1.5);
+    const auto integers =
+      std::count_if(m_variables.begin(), m_variables.end(), [this](int i) { return m_coordinates.is_integer[i]; });
+    operations_left -=
+      per_addition * additions + std::pow(integers, 3) / 3 + per_variable * std::pow(m_variables.size(), 1.5);
+    gradient = sum.vector(of_slots);
     // Keeps the matrix definite where an element Hessian has nothing to say.
     const double relative_regularization = 1e-10;
     hessian = sum.matrix(relative_regularization * trace / (std::max)(std::size_t(1), m_variables.size()));

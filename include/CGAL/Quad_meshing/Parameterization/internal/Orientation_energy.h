@@ -35,35 +35,35 @@ struct Orientation_energy
 
   // `weight` per face: the stiffening weights w; `anisotropy`: g, in (0, 1]. If the visitor of `progress` stops it, the
   // energy is of no use.
-  Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
+  Orientation_energy(const Combed_charts& charts, const Shared_sums& coordinates, const Face_gradients& faces,
                      const std::vector<double>& weight, double anisotropy, Stage_progress* progress = nullptr)
   {
     std::vector<int> number(coordinates.number_of_variables());
     std::iota(number.begin(), number.end(), 0);
-    assemble(coordinates, faces, weight, anisotropy, number, coordinates.number_of_variables(),
+    assemble(charts, coordinates, faces, weight, anisotropy, number, coordinates.number_of_variables(),
              Eigen::VectorXd::Zero(coordinates.number_of_variables()), progress);
   }
 
   // The same over some of the variables only: `number` gives their numbers, from 0 to n - 1, and -1 for the variables
   // that keep their value in `x`.
-  Orientation_energy(const Seamless_coordinates& coordinates, const Face_gradients& faces,
+  Orientation_energy(const Combed_charts& charts, const Shared_sums& coordinates, const Face_gradients& faces,
                      const std::vector<double>& weight, double anisotropy, const std::vector<int>& number, int n,
                      const Eigen::VectorXd& x, Stage_progress* progress = nullptr)
   {
-    assemble(coordinates, faces, weight, anisotropy, number, n, x, progress);
+    assemble(charts, coordinates, faces, weight, anisotropy, number, n, x, progress);
   }
 
 private:
-  void assemble(const Seamless_coordinates& coordinates, const Face_gradients& faces, const std::vector<double>& weight,
-                double anisotropy, const std::vector<int>& number, int n, const Eigen::VectorXd& x,
-                Stage_progress* progress)
+  void assemble(const Combed_charts& charts, const Shared_sums& coordinates, const Face_gradients& faces,
+                const std::vector<double>& weight, double anisotropy, const std::vector<int>& number, int n,
+                const Eigen::VectorXd& x, Stage_progress* progress)
   {
     const int faces_per_report = 0x4000; // each takes about a microsecond
-    const Combed_charts& charts = coordinates.charts;
     const int nf = charts.mesh.number_of_faces();
-    b = Eigen::VectorXd::Zero(n);
     Element_sum sum(coordinates, number, n, 18 * static_cast<std::size_t>(nf));
-    std::vector<int> variables, place(n, -1);
+    const Eigen::VectorXd fixed = fixed_parts(coordinates, number, x);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(sum.number_of_slots());
+    std::vector<int> variables, place(sum.number_of_slots(), -1);
     std::vector<std::array<double, 2>> row; // derivatives along u_T and v_T
     for(int f = 0; f < nf; ++f)
     {
@@ -75,9 +75,9 @@ private:
         row.clear();
         std::array<double, 2> target = { { c == 0 ? 1. : 0., c == 1 ? 1. : 0. } };
         for(int k = 0; k < 3; ++k)
-          for(const Seamless_coordinates::Term& t : coordinates.coordinates[charts.wedge_of_corner[3 * f + k]][c])
+          for(const Shared_sums::Term& t : coordinates.terms(charts.wedge_of_corner[3 * f + k], c))
           {
-            const int i = number[t.first];
+            const int i = sum.slot(t.first);
             if(i != -1 && place[i] == -1)
             {
               place[i] = static_cast<int>(variables.size());
@@ -85,10 +85,11 @@ private:
               row.push_back({ { 0., 0. } });
             }
             for(int d = 0; d < 2; ++d)
-              if(i == -1)
-                target[d] -= t.second * faces.gradient[f](k, d) * x[t.first];
-              else
+            {
+              target[d] -= t.second * faces.gradient[f](k, d) * fixed[t.first];
+              if(i != -1)
                 row[place[i]][d] += t.second * faces.gradient[f](k, d);
+            }
           }
         std::array<double, 2> w;
         for(int d = 0; d < 2; ++d)
@@ -98,7 +99,7 @@ private:
         }
         for(std::size_t i = 0; i < row.size(); ++i)
         {
-          b[variables[i]] += 2 * (w[0] * row[i][0] * target[0] + w[1] * row[i][1] * target[1]);
+          gradient[variables[i]] += 2 * (w[0] * row[i][0] * target[0] + w[1] * row[i][1] * target[1]);
           for(std::size_t j = 0; j < row.size(); ++j)
             sum.add(variables[i], variables[j], 2 * (w[0] * row[i][0] * row[j][0] + w[1] * row[i][1] * row[j][1]));
         }
@@ -109,6 +110,22 @@ private:
     if(progress != nullptr && !progress->go_further())
       return;
     A = sum.matrix();
+    b = sum.vector(gradient);
+  }
+
+  // What the fixed variables contribute to the terms of coordinates: variables, then sums.
+  static Eigen::VectorXd fixed_parts(const Shared_sums& coordinates, const std::vector<int>& number,
+                                     const Eigen::VectorXd& x)
+  {
+    const int n = coordinates.number_of_variables();
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n + static_cast<int>(coordinates.sums().size()));
+    for(int i = 0; i < n; ++i)
+      if(number[i] == -1)
+        result[i] = x[i];
+    for(std::size_t s = 0; s < coordinates.sums().size(); ++s)
+      for(const Shared_sums::Term& t : coordinates.sums()[s])
+        result[n + static_cast<int>(s)] += t.second * result[t.first];
+    return result;
   }
 
 public:
