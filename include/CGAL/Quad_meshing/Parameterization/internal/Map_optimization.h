@@ -422,12 +422,13 @@ private:
         place[local[i]] = -1;
       }
     }
-    // A dense part of the integers, and nested dissection of a plane for the rest.
-    const double per_addition = 10, per_variable = 10;
+    // The eigenvalues of the Hessian of each face, a dense part of the integers, and nested dissection of a plane for
+    // the rest.
+    const double per_face = 2000, per_addition = 10, per_variable = 10;
     const auto integers =
       std::count_if(m_variables.begin(), m_variables.end(), [this](int i) { return m_coordinates.is_integer[i]; });
-    operations_left -=
-      per_addition * additions + std::pow(integers, 3) / 3 + per_variable * std::pow(m_variables.size(), 1.5);
+    operations_left -= per_face * static_cast<double>(m_active.size()) + per_addition * additions +
+                       std::pow(integers, 3) / 3 + per_variable * std::pow(m_variables.size(), 1.5);
     gradient = sum.vector(of_slots);
     // Keeps the matrix definite where an element Hessian has nothing to say.
     const double relative_regularization = 1e-10;
