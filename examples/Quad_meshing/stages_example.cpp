@@ -79,6 +79,7 @@ int main(int argc, char* argv[])
                          np::smooth_globally(true).edge_is_constrained_map(found.quads->is_feature),
                          np::face_direction_map(boost::make_iterator_property_map(d.direction.begin(), faces))
                            .face_direction_weight_map(boost::make_iterator_property_map(d.weight.begin(), faces))
+                           .face_sizing_map(s.length)
                            .edge_is_constrained_map(s.is_feature));
     result += found.quads->mesh;
   }

@@ -84,6 +84,7 @@ void smooth(QM::Quadrangulation_quads& q, const QM::Quadrangulation_surface& s, 
   QM::smooth_quad_mesh(q.mesh, s.mesh, parameters::smooth_globally(true).edge_is_constrained_map(q.is_feature),
                        parameters::face_direction_map(boost::make_iterator_property_map(d.direction.begin(), faces))
                          .face_direction_weight_map(boost::make_iterator_property_map(d.weight.begin(), faces))
+                         .face_sizing_map(s.length)
                          .edge_is_constrained_map(s.is_feature));
 }
 

@@ -59,7 +59,7 @@ public:
     , m_options(options)
     , m_visitor(visitor)
     , m_topology(surface_topology(surface->mesh))
-    , m_smoothing(surface, m_work, request.is_graded, options, visitor)
+    , m_smoothing(surface, m_work, options, visitor)
   {
     for(Mesh::Face_index f : surface->mesh.faces())
       first_input_face = (std::min)(first_input_face, surface->origin[f]);

@@ -41,8 +41,8 @@ class Component_smoothing
 
 public:
   Component_smoothing(const std::unique_ptr<Quadrangulation_surface>& surface, const Working_surface& work,
-                      bool is_graded, const Quadrangulation_options& options, Pipeline_visitor& visitor)
-    : m_surface(surface), m_work(work), m_is_graded(is_graded), m_options(options), m_visitor(visitor)
+                      const Quadrangulation_options& options, Pipeline_visitor& visitor)
+    : m_surface(surface), m_work(work), m_options(options), m_visitor(visitor)
   {
   }
 
@@ -103,9 +103,7 @@ public:
       [&](const Indexed_quad_mesh& m)
       {
         return Smoothing_reference(
-          m, m_is_graded
-               ? reference(parameters::face_sizing_map(input.length).edge_is_constrained_map(input.is_feature))
-               : reference(parameters::edge_is_constrained_map(input.is_feature)));
+          m, reference(parameters::face_sizing_map(input.length).edge_is_constrained_map(input.is_feature)));
       });
   }
 
@@ -121,7 +119,6 @@ public:
 private:
   const std::unique_ptr<Quadrangulation_surface>& m_surface; // that is worked on
   const Working_surface& m_work;
-  const bool m_is_graded; // the lengths on the surface are not all the same
   const Quadrangulation_options& m_options;
   Pipeline_visitor& m_visitor;
   std::vector<char> m_fixed;                // per vertex of the quads: it stays where it is

@@ -113,7 +113,18 @@ private:
   // Shorter sides, relative to the root of the area aimed at, are not turned faster.
   static constexpr double least_side = Rectangle_energy::least_length;
 
-  double area_weight() const { return m_length.empty() ? Rectangle_energy::area_weight : weight_of_lengths; }
+  // The same where one length is asked for everywhere: as little as it takes that areas stay within 4 : 1 on a capsule
+  // of 4000 quads (3.8), for it bends corners: at 4000 quads, bunny has 3.9 degrees without lengths, 4.2 with them
+  // and 4.5 with a weight of 0.1.
+  static constexpr double weight_of_one_length = 0.07;
+
+  static double area_weight_for(const std::vector<double>& length)
+  {
+    if(length.empty())
+      return Rectangle_energy::area_weight;
+    const auto extremes = std::minmax_element(length.begin(), length.end());
+    return *extremes.first == *extremes.second ? weight_of_one_length : weight_of_lengths;
+  }
 
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> Preconditioner;
@@ -197,7 +208,7 @@ private:
         Rectangle_energy::Sides slope;
         Eigen::Matrix4d curvature;
         Rectangle_energy::derivatives(Rectangle_energy::Sides(a * x, a * y, b * x, b * y), m_area[f], slope, curvature,
-                                      area_weight());
+                                      m_area_weight);
         Eigen::Matrix<double, 4, 8> sides = Eigen::Matrix<double, 4, 8>::Zero();
         sides.block<2, 2>(0, 2 * next) = ways[next];
         sides.block<2, 2>(2, 2 * prev) = ways[prev];
@@ -300,7 +311,7 @@ private:
       const double energy = energy_of_quad(f);
       after += energy;
       if(energy - energy_before[f] >
-         tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least_with(area_weight())) + 4 * tolerated_rise)
+         tolerated_growth * (energy_before[f] - 4 * Rectangle_energy::least_with(m_area_weight)) + 4 * tolerated_rise)
         for(int v : m_mesh.corners[f])
           was_too_long[v] = 1;
     }
@@ -311,7 +322,7 @@ private:
     if(after < before)
     {
       m_useless_steps = 0;
-      return before - after > least_gain * (before - 4 * Rectangle_energy::least_with(area_weight()) * nf);
+      return before - after > least_gain * (before - 4 * Rectangle_energy::least_with(m_area_weight) * nf);
     }
     m_mesh.points = m_points_before;
     m_place = m_place_before;
@@ -365,7 +376,7 @@ private:
     for(int k = 0; k < 4; ++k)
       sum += Rectangle_energy::value(m_mesh.points[c[(k + 1) & 3]] - m_mesh.points[c[k]],
                                      m_mesh.points[c[(k + 3) & 3]] - m_mesh.points[c[k]], m_normal[f], m_area[f],
-                                     area_weight());
+                                     m_area_weight);
     if(m_wish.empty() || !(m_wish[f].weight > 0))
       return sum;
     const Vector_3 &d = m_wish[f].direction, across = cross_product(m_normal[f], d);
@@ -383,7 +394,8 @@ private:
   Eigen::VectorXd m_gradient;
   Matrix m_matrix;               // its lower triangle
   std::vector<double> m_damping; // per vertex
-  double m_limit = -1;           // for Jacobians, set in the first step
+  const double m_area_weight = area_weight_for(m_length);
+  double m_limit = -1; // for Jacobians, set in the first step
   double m_longest_step = longest_first_step;
   int m_useless_steps = 0;
 
