@@ -620,7 +620,7 @@ void test_close_pairs()
         {
           I::Cross_field merged = spoilt;
           I::Sector_quads quads(problem, merged, std::vector<double>(m.number_of_vertices(), 0.), 0.);
-          I::merge_close_pairs(problem, laplacian, 2 * reach, quads, merged, silent.progress);
+          I::merge_close_pairs(problem, laplacian, reach, quads, merged, silent.progress);
           if(reach < straight)
             assert(merged.period_jump == spoilt.period_jump && merged.angle == spoilt.angle);
           else

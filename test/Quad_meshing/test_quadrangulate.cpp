@@ -472,16 +472,20 @@ void test_double_edges()
 // Each component is on its own: one without a mesh does not cost the others theirs, and the message names it.
 void test_components()
 {
-  const test_meshes::Soup noise = test_meshes::perturbed(test_meshes::icosphere(4), 0.1);
+  const test_meshes::Soup fixed = test_meshes::icosphere(4); // all its edges must be followed
   const test_meshes::Soup ball = test_meshes::translated(test_meshes::icosphere(3), Kernel::Vector_3(5, 0, 0));
   const Mesh alone = test_meshes::make_mesh(ball);
+  Mesh two_balls = test_meshes::make_mesh(test_meshes::joined(fixed, ball));
+  const auto is_fixed = two_balls.add_property_map<Mesh::Edge_index, bool>("e:fixed", false).first;
+  for(Mesh::Edge_index e : two_balls.edges())
+    is_fixed[e] = two_balls.point(two_balls.vertex(e, 0)).x() < 2;
   for(unsigned int threads : { 1u, 3u })
   {
     Mesh qm;
-    const Result r =
-      QM::quadrangulate(test_meshes::make_mesh(test_meshes::joined(noise, ball)), qm,
-                        parameters::target_number_of_quads(4000.).number_of_threads(threads).singularity_cost(0.));
-    std::cout << "noise and a ball: " << r.message << std::endl;
+    const Result r = QM::quadrangulate(
+      two_balls, qm,
+      parameters::target_number_of_quads(4000.).number_of_threads(threads).edge_is_constrained_map(is_fixed));
+    std::cout << "fixed edges and a ball: " << r.message << std::endl;
     assert(r.status == Status::NOT_VALID && r.components == 2 && r.failed_components == 1);
     assert(r.message.find("that of face 0") != std::string::npos);
     assert(r.invalid_components.size() == 1 && r.invalid_components[0].face == 0);
