@@ -328,6 +328,23 @@ void test_plan_of_more_even_quads()
     std::cout << "no dragknob.off: skipped" << std::endl;
 }
 
+// The conical ends of drilled holes have few triangles: no vertex at their tips may have less than three quads.
+void test_drilled_holes()
+{
+  Mesh drilled, quads;
+  if(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/oblong.off"), drilled))
+    for(double n : { 500., 3000. })
+    {
+      Request request{ n };
+      request.work_on_input = false;
+      const Result r = run(drilled, request, "", quads);
+      std::cout << "drilled holes: " << r.quads << " quads. " << r.message << std::endl;
+      assert(r.is_valid());
+    }
+  else
+    std::cout << "no oblong.off: skipped" << std::endl;
+}
+
 void test_plans_for_the_number()
 {
   check_plan("nearer number", mesh_of(sharp_cone(5)), { 500 });
@@ -399,6 +416,7 @@ int main(int argc, char** argv)
                      { "narrow_tube", test_narrow_tube },
                      { "plan_of_released_curves", test_plan_of_released_curves },
                      { "plan_of_more_even_quads", test_plan_of_more_even_quads },
+                     { "drilled_holes", test_drilled_holes },
                      { "plans_for_the_number", test_plans_for_the_number },
                      { "random_seed", test_random_seed },
                      { "stiffening_iterations", test_stiffening_iterations } });

@@ -150,7 +150,15 @@ private:
       return Cross_field_status::STOPPED;
     m_progress.begin_part(m_options.number_of_bound_rounds > 0 ? bound_begin : 1.);
     if(is_for_quads)
+    {
       merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length, quads, field, m_progress);
+      // In parts with few triangles no search may have found a way to part singularities of high index.
+      if(quads.has_closed_sector_with_less_than(3) && quads.fill(field, 3, m_progress))
+      {
+        quads.prescribe(field, m_progress);
+        m_laplacian.solve_angles(field);
+      }
+    }
 
     result.empty_sectors = quads.number_of_empty_sectors();
     m_problem.normalize(field);
