@@ -156,7 +156,7 @@ Quad_mesh_smoothing_result smooth_quad_mesh_with(QuadMesh& qm, const NamedParame
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_sizing_map}
  *     \cgalParamDescription{the length of quad edges per face of `tm`, positive, in any unit: quads aim at areas in
- *       proportion to its squares}
+ *       proportion to its squares; with little weight if it is constant, for equal areas bend corners}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
  *     \cgalParamDefault{quads aim at the areas of their neighbors}

@@ -152,7 +152,7 @@ private:
     if(is_for_quads)
     {
       merge_close_pairs(m_problem, m_laplacian, m_options.target_edge_length, quads, field, m_progress);
-      // In parts with few triangles no search may have found a way to part singularities of high index.
+      // What the search leaves in parts with few triangles, such as the conical end of a drilled hole: no mesh has it.
       if(quads.has_closed_sector_with_less_than(3) && quads.fill(field, 3, m_progress))
       {
         quads.prescribe(field, m_progress);
